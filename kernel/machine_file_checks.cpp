@@ -69,6 +69,15 @@ std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t 
   if (settings.manual.homing[axis].search_mm_s == 0.0) {
     blame("home_search_mm_s", 0.0, "a number that is not 0: its sign is the direction");
   }
+  const AxisHoming& homing = settings.manual.homing[axis];
+  const bool has_home = std::isfinite(homing.home_mm);
+  const double home_mm = has_home ? homing.home_mm : homing.switch_mm;
+  if (std::isfinite(homing.switch_mm) &&
+      (home_mm < drive.travel.min_mm || home_mm > drive.travel.max_mm)) {
+    blame(has_home ? "home_mm" : "home_switch_mm", home_mm,
+          has_home ? "a place within the travel"
+                   : "a place within the travel, or home_mm, where the axis goes from there");
+  }
   // An outer loop faster than the inner one oscillates, and with an integral it may be unstable.
   if (drive.position_gain_per_s > drive.velocity_gain_per_s) {
     if (has_key("position_gain_per_s")) {

@@ -31,8 +31,8 @@ void raise_silent_drive(MachineSettings& settings, std::size_t axis,
 std::optional<std::string> travel_problem(std::span<const NumberRule> rules,
                                           MachineSettings& settings, std::size_t axis);
 
-// The drive must be at least as strong as the limits of the plan, and the position loop no faster
-// than the velocity loop.
+// The drive must be at least as strong as the limits of the plan, the position loop no faster than
+// the velocity loop, and where the axis goes once it is homed within its travel.
 std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t axis,
                                    const std::function<bool(std::string_view)>& has_key);
 

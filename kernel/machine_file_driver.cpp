@@ -1,5 +1,6 @@
 // [driver] of a machine file.
 #include <algorithm>
+#include <cmath>
 
 #include "kernel/driver_settings.hpp"
 #include "kernel/machine_file_reader.hpp"
@@ -28,7 +29,10 @@ std::string known_drivers() {
 void MachineFileReader::read_driver(const Section& section) {
   check_keys(section, kDriverKeys);
   if (const toml::node* const late = section.table->get(kMaxLatePeriods.key)) {
-    if (const auto number = read_number(section, kMaxLatePeriods, *late)) {
+    const auto number = read_number(section, kMaxLatePeriods, *late);
+    if (number && *number != std::floor(*number)) {
+      report(late->source(), section.path_to(kMaxLatePeriods.key) + ": expected a whole number");
+    } else if (number) {
       driver_.max_late_periods = static_cast<int>(*number);
     }
   }

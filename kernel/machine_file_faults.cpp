@@ -12,9 +12,10 @@ constexpr std::array<std::string_view, 4> kFaultKeys{"kind", "axis", "at_s", "ju
 constexpr NumberRule kAt{"at_s", 0.0, 1e9, nullptr};
 constexpr NumberRule kJump{"jump_mm", -1e3, 1e3, nullptr};
 
+// What is no text is no name of anything.
 std::string text_at(const Section& section, std::string_view key) {
   const toml::node* const node = section.table->get(key);
-  return node != nullptr ? node->value_exact<std::string>().value_or("") : "";
+  return node != nullptr ? node->value_exact<std::string>().value_or("?") : "";
 }
 
 }  // namespace
@@ -24,7 +25,8 @@ void MachineFileReader::read_faults(const Section& driver) {
   if (list == nullptr) {
     return;
   }
-  if (!list->is_array_of_tables()) {
+  const bool is_none = list->is_array() && list->as_array()->empty();
+  if (!is_none && !list->is_array_of_tables()) {
     report(list->source(), "driver.fault: found " + std::string(name_of(list->type())) +
                                ", expected an array of tables ([[driver.fault]])");
     return;

@@ -83,6 +83,7 @@ class MachineFileReader {
   void read_box(const Section& probe);
   bool read_plane(const Section& probe);  // false: there is none
   void read_simulation(const Section& section);
+  void read_home_switch(const Section& section, std::size_t axis);
   // The numbers of an array, one after the other; false: something is wrong with it.
   bool read_array(const Section& section, std::string_view key, std::size_t most,
                   std::vector<double>& numbers);

@@ -155,6 +155,20 @@ bool MachineFileReader::read_array(const Section& section, std::string_view key,
   return fine;
 }
 
+// With one end it is closed from there on, to the side of the other.
+void MachineFileReader::read_home_switch(const Section& section, std::size_t axis) {
+  const toml::node* const from = section.table->get(kSwitches[0].key);
+  const toml::node* const to = section.table->get(kSwitches[1].key);
+  AxisSwitches& switches = settings_.simulation.switches[axis];
+  if (from == nullptr && to != nullptr) {
+    switches.home_min_mm = -kUnbounded;
+  }
+  if (from != nullptr && to != nullptr && switches.home_min_mm > switches.home_max_mm) {
+    report(to->source(), section.path_to(kSwitches[1].key) + ": must not be below " +
+                             section.path_to(kSwitches[0].key));
+  }
+}
+
 void MachineFileReader::read_simulation(const Section& section) {
   constexpr std::array<std::string_view, 6> kKeys{"digital", "analog", kSpindle.key, "x", "y", "z"};
   check_keys(section, kKeys);
@@ -181,6 +195,7 @@ void MachineFileReader::read_simulation(const Section& section) {
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     if (const auto switches = subsection(section, kAxes[axis])) {
       read_numbers(*switches, kSwitches, axis);
+      read_home_switch(*switches, axis);
     }
   }
 }

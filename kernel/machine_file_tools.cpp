@@ -1,6 +1,7 @@
 // [offsets.*] and [tools] of a machine file.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "kernel/machine_file_reader.hpp"
@@ -73,6 +74,11 @@ void MachineFileReader::read_tool(const Section& section) {
     }
   }
   check_keys(section, keys);
+  if (const toml::node* pocket = section.table->get("pocket");
+      pocket != nullptr && values[1] != std::floor(values[1])) {
+    report(pocket->source(), "tools.tool.pocket: expected the pocket's number, a whole one");
+    return;
+  }
   const auto number = static_cast<std::int32_t>(values[0]);
   const toml::node* named = section.table->get("number");
   if (named == nullptr || static_cast<double>(number) != values[0]) {

@@ -179,7 +179,7 @@ class MachineFaults(Case):
 
     def test_a_search_for_a_home_switch_that_fails_is_a_fault_that_asks_for_homing(self):
         # The switch would close at 900 mm. Where the travel ends nobody knows before it has.
-        home = "[axes.x]\nmin_mm = -500\nmax_mm = 500\nhome_switch_mm = 900\nhome_search_mm_s = 100\nhome_travel_mm = {}\n"
+        home = "[axes.x]\nmin_mm = -500\nmax_mm = 500\nhome_switch_mm = 900\nhome_mm = 0\nhome_search_mm_s = 100\nhome_travel_mm = {}\n"
         for travel_mm in (50, 550):
             with self.subTest(travel_mm=travel_mm):
                 report, _ = self.run_with(home.format(travel_mm), options=("--home",))

@@ -279,6 +279,33 @@ TEST(MachineFileErrors, NamesWhatIsWrongWithInputs) {
   EXPECT_EQ(errors_of(kBounded + "[inputs]\nfeed_stop = true\nfeed_step = 1\n").size(), 2U);
 }
 
+TEST(MachineFileErrors, NamesWhatIsWrongWithADriver) {
+  EXPECT_EQ(errors_of(kBounded + "[driver]\nmax_late_periods = 1.5\n"),
+            Lines{"m.toml:6:20: error: driver.max_late_periods: expected a whole number"});
+  EXPECT_EQ(errors_of(kBounded + "[driver]\nfault = []\n"), Lines{});
+  EXPECT_EQ(errors_of(kBounded + "[[driver.fault]]\nkind = \"drive_trip\"\naxis = 3\n").size(), 1U);
+}
+
+TEST(MachineFileErrors, WantsAHomeWithinTheTravel) {
+  const std::string x = kBounded + "[axes.x]\nmin_mm = 0\nmax_mm = 500\n";
+  EXPECT_EQ(errors_of(x + "home_switch_mm = -5\nhome_mm = 600\n"),
+            Lines{"m.toml:9:11: error: axes.x.home_mm: found 600, expected a place within the "
+                  "travel"});
+  EXPECT_EQ(errors_of(x + "home_switch_mm = -5\n"),
+            Lines{"m.toml:8:18: error: axes.x.home_switch_mm: found -5, expected a place within "
+                  "the travel, or home_mm, where the axis goes from there"});
+  EXPECT_EQ(errors_of(x + "home_switch_mm = -5\nhome_mm = 0\n"), Lines{});
+}
+
+TEST(MachineFileErrors, WantsAHomeSwitchToCloseSomewhere) {
+  EXPECT_EQ(errors_of(kBounded + "[simulation.x]\nhome_min_mm = 10\nhome_max_mm = -10\n"),
+            Lines{"m.toml:7:15: error: simulation.x.home_max_mm: must not be below "
+                  "simulation.x.home_min_mm"});
+  const auto read = parse_machine_file(kBounded + "[simulation.x]\nhome_max_mm = -10\n");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->simulation.switches[0].home_min_mm, -kInfinity);
+}
+
 TEST(MachineFileErrors, NamesTheDriversThereAre) {
   EXPECT_EQ(errors_of(kBounded + "[driver]\nname = 'ethercat'\n"),
             (Lines{"m.toml:6:8: error: driver.name: found 'ethercat', expected 'simulated' or "
@@ -303,6 +330,9 @@ TEST(MachineFileErrors, NamesWhatIsWrongWithTools) {
                    "one"}));
   EXPECT_EQ(errors_of(kBounded + "[tools]\ntool = [{ number = 1 }, { number = 1 }]\n"),
             (Lines{"m.toml:6:36: error: tools.tool: T1 is listed twice"}));
+  EXPECT_EQ(errors_of(kBounded + "[tools]\ntool = [{ number = 1, pocket = 1.5 }]\n"),
+            (Lines{"m.toml:6:32: error: tools.tool.pocket: expected the pocket's number, a whole "
+                   "one"}));
 }
 
 }  // namespace
