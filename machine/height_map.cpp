@@ -13,7 +13,7 @@ inline namespace v0 {
 namespace {
 
 // Of the spacing: how far a point may be from its place on the grid.
-constexpr double kUneven = 1e-3;
+constexpr double kUneven = 1e-2;  // coordinates in whole micrometres of 0.1 mm apart
 
 using Row = std::array<double, 3>;
 
@@ -28,6 +28,12 @@ std::optional<Row> row_of(std::string_view line) {
   const char* const end = at + line.size();
   for (double& number : row) {
     at = std::find_if_not(at, end, is_blank);
+    if (at != end && *at == '+') {  // which from_chars does not take
+      ++at;
+      if (at != end && *at == '-') {
+        return std::nullopt;
+      }
+    }
     const auto read = std::from_chars(at, end, number);
     if (read.ec != std::errc{} || !std::isfinite(number)) {
       return std::nullopt;
@@ -109,10 +115,11 @@ tl::expected<HeightMap, HeightMapError> read_height_map(std::string_view text) {
   std::vector<std::uint32_t> lines;
   for (std::uint32_t number = 1; !text.empty(); ++number) {
     const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = text.substr(0, end);
+    std::string_view line = text.substr(0, end);
+    line = line.substr(0, line.find('#'));
     text.remove_prefix(std::min(end + 1, text.size()));
     const auto* const first = std::find_if_not(line.begin(), line.end(), is_blank);
-    if (first == line.end() || *first == '#') {
+    if (first == line.end()) {
       continue;
     }
     const auto row = row_of(line);

@@ -105,6 +105,16 @@ TEST(HeightMapText, IsAGridInAnyOrder) {
   EXPECT_EQ(map->heights_mm, (std::vector<double>{1.0, 2.0, 3.0, 4.0}));
 }
 
+TEST(HeightMapText, MayHaveRemarksSignsAndRoundedPlaces) {
+  const auto map = read_height_map(
+      "0 0 1 # a corner\n+0.333 0 2\n0.667 0 3\n1 0 4 #\n"
+      "0 1 5\n0.333 1 6\n0.667 1 7\n1 1 -8\n");
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->columns, 4u);
+  EXPECT_EQ(map->heights_mm.back(), -8.0);
+  EXPECT_EQ(read_height_map("0 0 +-1\n").error().line, 1u);
+}
+
 TEST(HeightMapText, ThatIsNoneIsRefusedWithItsLine) {
   EXPECT_EQ(read_height_map("0 0 1\n0 1\n").error().line, 2u);
   EXPECT_EQ(read_height_map("0 0 1\n10 0 nan\n").error().line, 2u);
