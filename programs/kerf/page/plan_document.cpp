@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "diagnostics/errors/pages.hpp"
 #include "programs/kerf/page/file_names.hpp"
 #include "programs/kerf/page/packed_source.hpp"
 #include "programs/kerf/page/plan_sections.hpp"
@@ -205,6 +206,9 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
   if (!record.quotes_text) {
     for (diagnostics::Diagnostic& diagnostic : named.diagnostics) {
       diagnostic.block = {};
+      if (diagnostic.page == &errors::kAborted) {
+        diagnostic.message = diagnostic.page->title;  // else it has the words of a comment
+      }
     }
     if (named.motion) {
       named.motion->parts.operations.clear();  // they have the words of comments
