@@ -56,6 +56,7 @@ class Trace(Case):
         whole = self.rows(program)
         self.assertEqual(self.rows(program, "--trace-every", "10"), whole[::10])
         self.assertEqual(self.rows(program, "--trace-from", "0.25", "--trace-to", "0.3s"), whole[250:301])
+        self.assertEqual(self.rows(program, "--trace-from", "0.0104", "--trace-to", "0.0126"), whole[11:13])
         self.assertEqual(self.rows(program, "--trace-every", "100", "--trace-from", "0.25"), whole[300::100])
         self.assertEqual(self.rows(program, "--trace-from", "1h"), [])
         self.assertEqual(self.rows(program, "--trace-from", "1h", name="none.NPY"), [])

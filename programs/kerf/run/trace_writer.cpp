@@ -32,12 +32,13 @@ tl::expected<TraceWriter, std::string> TraceWriter::create(const std::string& pa
   return TraceWriter(*std::move(file), settings);
 }
 
-// A time names the tick that is nearest to it.
+// No tick before one time and none after the other; but for rounding.
 bool TraceWriter::is_wanted(std::int64_t tick) const noexcept {
+  constexpr double kRounding = 1e-6;
   const auto at = static_cast<double>(tick);
   return tick % settings_.ticks.every == 0 &&
-         at >= std::round(settings_.ticks.from_s / settings_.period_s) &&
-         at <= std::round(settings_.ticks.to_s / settings_.period_s);
+         at >= settings_.ticks.from_s / settings_.period_s - kRounding &&
+         at <= settings_.ticks.to_s / settings_.period_s + kRounding;
 }
 
 void TraceWriter::add(const TickRecord& record) {
