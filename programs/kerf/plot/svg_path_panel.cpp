@@ -23,7 +23,8 @@ constexpr double kMargin = 34.0;
 constexpr const char* kDeviationColour = "#b0203a";
 constexpr std::size_t kNamedLines = 8;
 constexpr double kLineWidth = 1.8;
-constexpr double kGridRoom = 34.0;  // for numbers at the left and at the bottom
+constexpr double kSmallestView_mm = 0.01;  // of a path that is a point
+constexpr double kGridRoom = 34.0;         // for numbers at the left and at the bottom
 
 const Stroke kFrame{.colour = "#c8ccd2"};
 const Stroke kRapid{.colour = "#a9b0b8", .width = 1.0, .dashes = "4 3"};
@@ -35,7 +36,8 @@ class Scale {
   Scale(const PaperBox& box, const PixelBox& place) {
     const double width = std::max(box.width_mm(), 1e-9);
     const double height = std::max(box.height_mm(), 1e-9);
-    pixels_per_mm_ = std::min(place.width / width, place.height / height);
+    pixels_per_mm_ =
+        std::min({place.width / width, place.height / height, place.width / kSmallestView_mm});
     origin_ = {.x = place.left + (place.width - box.width_mm() * pixels_per_mm_) / 2.0 -
                     box.min.u_mm * pixels_per_mm_,
                .y = place.bottom() - (place.height - box.height_mm() * pixels_per_mm_) / 2.0 +
