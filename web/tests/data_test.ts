@@ -5,15 +5,17 @@ import { join } from "node:path";
 import { test } from "node:test";
 import { deflateSync, inflateSync } from "node:zlib";
 import { accountOf } from "../src/plan/account.ts";
-import { decodePlan } from "../src/plan/decode.ts";
+import { decodePlan, type Decoded } from "../src/plan/decode.ts";
 import { Plan } from "../src/plan/plan.ts";
 import { numbersOf } from "./helper.ts";
 import { SOURCE, kerf, makeReport, programFile, traceOf } from "./report.ts";
 
-function planIn(file: string): Plan {
+function decodedIn(file: string): Decoded {
   const [, text] = /<script type="application\/x-kerf-plan">([^<]*)<\/script>/.exec(readFileSync(file, "utf8"))!;
-  return new Plan(decodePlan(inflateSync(Buffer.from(text!, "base64"))));
+  return decodePlan(inflateSync(Buffer.from(text!, "base64")));
 }
+
+const planIn = (file: string): Plan => new Plan(decodedIn(file));
 
 for (const name of readdirSync(join(SOURCE, "programs")).filter((one) => one.endsWith(".ngc"))) {
   test(`each tick of ${name} has the line, the place, the feed and the limit of the trace`, () => {
@@ -115,9 +117,17 @@ test("the text of a long program is the one that was read, to the byte", () => {
   const lines = Array.from({ length: 6000 }, (_, i) => `N${10 * i} G1 X${(100 * Math.sin(i)).toFixed(i % 8)} Y${-i / 8} ${odd[i % 50] ?? ""}\r`);
   for (const text of [lines.join("\n"), `${lines.join("\n")} (\u0003)`]) {
     const program = programFile(text);
-    assert.ok(planIn(makeReport([program])).source === new TextDecoder().decode(readFileSync(program)));
+    assert.ok(readFileSync(program).equals(decodedIn(makeReport([program])).bytes.get("source")!));
   }
 });
+
+for (const [name, end] of Object.entries({ LF: "\n", CR: "\r", CRLF: "\r\n", LFCR: "\n\r", LFCRCR: "\n\r\r", LFCRLF: "\n\r\n" })) {
+  test(`a program whose lines end with ${name} has the lines that kerf counts`, () => {
+    const { source, motion } = planIn(makeReport([programFile(["G21 G90 F6000", "(first)", "G1 X10", "G1 X20", "M2", ""].join(end))]));
+    const lines = source!.split("\n");
+    assert.deepEqual([...new Set(motion!.runs.line)].map((line) => lines[line - 1]).filter((line) => line!.startsWith("G1")), ["G1 X10", "G1 X20"]);
+  });
+}
 
 test("numbers of a long program take little room", () => {
   const lines = Array.from({ length: 20_000 }, (_, i) => `N${10 * i} G1 X${(80 * Math.cos(i / 9) + i / 1e3).toFixed(4)} Y${(60 * Math.sin(i / 7)).toFixed(4)}`);

@@ -101,6 +101,23 @@ test("headings are the comments that stand alone in a line", () => {
   ]);
 });
 
+// What kerf makes of each: tests/parser/text/line_splitter_test.cpp.
+test("a text has one line end for each that kerf counts, whatever it is made of", () => {
+  const linesOf = (text: string): string[] => planOf([], text).source!.split("\n");
+  assert.deepEqual(linesOf("a\nb\n\nc"), ["a", "b", "", "c"]);
+  assert.deepEqual(linesOf("a\rb\r\rc\r"), ["a", "b", "", "c", ""]);
+  assert.deepEqual(linesOf("a\r\nb\r\n\r\nc\r\n"), ["a", "b", "", "c", ""]);
+  assert.deepEqual(linesOf("a\n\rb\n\r\n\rc\n\r"), ["a", "b", "", "c", ""]);
+  assert.deepEqual(linesOf("a\r\nb\n\rc\rd"), ["a", "b", "c", "d"]);
+  assert.deepEqual(linesOf("a\n\r\nb"), ["a", "", "b"]);
+  assert.deepEqual(linesOf("a\n\r\r\rb"), ["a", "b"]);
+});
+
+test("lines that end with CR alone have operations", () => {
+  const account = accountOf(planOf([{ ticks: 20, line: 2, kind: RunKind.cut }], "(rough)\rG1 X1\r(finish)\rM2\r"));
+  assert.deepEqual(account.operations.map((part) => [part.name, part.line, part.split.cut]), [["rough", 1, 20]]);
+});
+
 test("time by operation goes to the last heading before the line", () => {
   const source = "G21\n(rough)\nG1 X1\n(finish)\nG1 X2\n(nothing moves here)\n";
   const account = accountOf(

@@ -98,11 +98,14 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
   };
 }
 
+// CR, LF and CRLF each end a line, and CRs behind an LF belong to its end, as kerf counts lines.
+const withLineFeeds = (text: string): string => (text.includes("\r") ? text.replace(/\r\n?|\n\r*/g, "\n") : text);
+
 export class Plan {
   readonly header: Header;
   readonly path: Path | null; // also of one that leaves the travel
   readonly motion: Motion | null; // null: it did not run
-  readonly source: string | null;
+  readonly source: string | null; // its lines end with LF, whatever they were read with
   private readonly decoded: Decoded;
   private readonly pyramids = new Map<string, Pyramid>();
 
@@ -114,7 +117,8 @@ export class Plan {
     this.motion = motionOf(decoded, this.path);
     const text = decoded.bytes.get("source");
     // What is not UTF-8 becomes U+FFFD.
-    this.source = source ?? (text ? new TextDecoder().decode(text) : null);
+    const read = source ?? (text ? new TextDecoder().decode(text) : null);
+    this.source = read === null ? null : withLineFeeds(read);
   }
 
   get period_s(): number {

@@ -1,5 +1,5 @@
 // What the editor of a program shows beside its text: the line in force, the time of each line, errors and warnings.
-import { RangeSetBuilder, StateEffect, StateField, Text, type SelectionRange } from "@codemirror/state";
+import { RangeSetBuilder, StateEffect, StateField, type SelectionRange, type Text } from "@codemirror/state";
 import { Decoration, EditorView, GutterMarker, WidgetType, type DecorationSet } from "@codemirror/view";
 import type { Diagnostic } from "../plan/decode.ts";
 import type { Plan } from "../plan/plan.ts";
@@ -79,9 +79,6 @@ export const diagnostics = StateField.define<DecorationSet>({
   },
   provide: (field) => EditorView.decorations.from(field),
 });
-
-// What the editor would make of a text, which it splits by a pattern: of a million lines that takes twice as long.
-export const docOf = (text: string): Text | string => (text.includes("\r") ? text : Text.of(text.split("\n")));
 
 // The editor would scroll the page as well, whose reader may look at something else.
 export function scrollWithin(view: EditorView, range: SelectionRange, { y }: { y: string }): boolean {

@@ -1,5 +1,5 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, type Extension, type StateEffect } from "@codemirror/state";
+import { EditorState, Text, type Extension, type StateEffect } from "@codemirror/state";
 import { EditorView, gutter, keymap, lineNumbers } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
@@ -7,7 +7,7 @@ import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { shortTime } from "../units.ts";
-import { TimeMarker, activeLine, diagnostics, docOf, look, scrollWithin, setLine, setPlan } from "./program_marks.ts";
+import { TimeMarker, activeLine, diagnostics, look, scrollWithin, setLine, setPlan } from "./program_marks.ts";
 
 const JUMP_MS = 100;
 
@@ -16,9 +16,6 @@ export interface Editing {
   readonly extension: Extension;
   changed(text: string): void;
 }
-
-// As the editor has them.
-const linesOf = (text: string | null): string | undefined => (text?.includes("\r") ? text.replace(/\r\n?/g, "\n") : text ?? undefined);
 
 export class ProgramView {
   readonly element: HTMLElement;
@@ -56,7 +53,7 @@ export class ProgramView {
     this.findLongest(account.lines);
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
-    if (this.view?.state.doc.toString() !== linesOf(plan.source)) {
+    if (this.view?.state.doc.toString() !== (plan.source ?? undefined)) {
       this.view?.destroy();
       this.view = null;
       this.build(plan);
@@ -126,7 +123,8 @@ export class ProgramView {
         },
       }),
     ];
-    return new EditorView({ state: EditorState.create({ doc: docOf(text), extensions }), parent: this.root, root: this.root });
+    // The editor would split it by a pattern, which takes twice as long for a million lines.
+    return new EditorView({ state: EditorState.create({ doc: Text.of(text.split("\n")), extensions }), parent: this.root, root: this.root });
   }
 
   private marker(line: number): TimeMarker | null {
