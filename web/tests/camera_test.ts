@@ -1,7 +1,9 @@
 // Where the path stands in its view.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { placeFor } from "../src/views/path_camera.ts";
+import * as THREE from "three";
+import { PathCamera, placeFor, type Box } from "../src/views/path_camera.ts";
+import type { Triple } from "../src/views/stretches.ts";
 
 const view = { width: 800, height: 300 };
 const legend = { width: 200, height: 100 };
@@ -30,4 +32,35 @@ test("what does not lead into its corner stands in the middle", () => {
   assert.deepEqual(placeFor(box(30, 30), view, legend), { zoom, right: 0, up: 0 });
   const diamond: [number, number][] = [[-40, 0], [0, 15], [40, 0], [0, -15]]; // as a flat part is seen from a corner
   assert.deepEqual(placeFor(diamond, view, { width: 120, height: 60 }), { zoom, right: 0, up: 0 });
+});
+
+// A camera over an element as large as the view that no browser has laid out; told: what it says of itself when a hand lets go.
+function cameraOver(box: Box, told: string[] = []): PathCamera {
+  const element = Object.assign(new EventTarget(), { style: {}, clientWidth: view.width, clientHeight: view.height, getRootNode: () => new EventTarget(), ownerDocument: new EventTarget() });
+  const camera: PathCamera = new PathCamera(element as unknown as HTMLElement, () => undefined, () => told.push(camera.text));
+  camera.setScene(box, []);
+  camera.resize(view.width, view.height);
+  return camera;
+}
+
+// Where a point is seen: from -1 to 1 in width, height and depth.
+function seenAt(camera: PathCamera, point: Triple): number[] {
+  camera.prepare();
+  return new THREE.Vector3(...point).applyMatrix4(camera.projection).toArray();
+}
+
+const part: Box = { min: [0, 0, -5], max: [80, 60, 0] };
+const large: Box = { min: [-2000, -2000, -5], max: [2000, 2000, 0] };
+
+test("a view that comes back shows the same place of a scene that is another size", () => {
+  for (const [before, after] of [[large, part], [part, large]] as const) {
+    const old = cameraOver(before);
+    old.restore("");
+    const camera = cameraOver(after);
+    camera.restore(old.text);
+    const point: Triple = [40, 30, -2];
+    const [was, is] = [seenAt(old, point), seenAt(camera, point)];
+    assert.ok(Math.abs(is[0]! - was[0]!) < 1e-3 && Math.abs(is[1]! - was[1]!) < 1e-3, `${is} as ${was}`);
+    assert.ok(Math.abs(is[2]!) < 1, `${is[2]} is in front of the eye and not too far`);
+  }
 });

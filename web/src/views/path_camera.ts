@@ -152,8 +152,9 @@ export class PathCamera {
       return;
     }
     this.isFitted = false;
-    this.controls.target.set(tx!, ty!, tz!);
-    this.camera.position.set(px!, py!, pz!);
+    const target = this.controls.target.set(tx!, ty!, tz!);
+    // As far as this scene asks for: the view may be of another one.
+    this.camera.position.set(px!, py!, pz!).sub(target).setLength(this.reach).add(target);
     this.camera.zoom = zoom!;
     this.update();
   }
