@@ -34,10 +34,15 @@ test("what does not lead into its corner stands in the middle", () => {
   assert.deepEqual(placeFor(diamond, view, { width: 120, height: 60 }), { zoom, right: 0, up: 0 });
 });
 
-// A camera over an element as large as the view that no browser has laid out; told: what it says of itself when a hand lets go.
-function cameraOver(box: Box, told: string[] = []): PathCamera {
-  const element = Object.assign(new EventTarget(), { style: {}, clientWidth: view.width, clientHeight: view.height, getRootNode: () => new EventTarget(), ownerDocument: new EventTarget() });
-  const camera: PathCamera = new PathCamera(element as unknown as HTMLElement, () => undefined, () => told.push(camera.text));
+// As large as the view, without a browser.
+function elementOf(): HTMLElement {
+  const rest = { style: {}, clientWidth: view.width, clientHeight: view.height, getRootNode: () => new EventTarget(), ownerDocument: new EventTarget() };
+  return Object.assign(new EventTarget(), rest) as unknown as HTMLElement;
+}
+
+// told: what it says of its view each time that somebody has settled on one.
+function cameraOver(box: Box, told: string[] = [], element = elementOf()): PathCamera {
+  const camera: PathCamera = new PathCamera(element, () => undefined, () => told.push(camera.text));
   camera.setScene(box, []);
   camera.resize(view.width, view.height);
   return camera;
@@ -56,6 +61,7 @@ test("a view that comes back shows the same place of a scene that is another siz
   for (const [before, after] of [[large, part], [part, large]] as const) {
     const old = cameraOver(before);
     old.restore("");
+    old.look("front");
     const camera = cameraOver(after);
     camera.restore(old.text);
     const point: Triple = [40, 30, -2];
@@ -63,4 +69,50 @@ test("a view that comes back shows the same place of a scene that is another siz
     assert.ok(Math.abs(is[0]! - was[0]!) < 1e-3 && Math.abs(is[1]! - was[1]!) < 1e-3, `${is} as ${was}`);
     assert.ok(Math.abs(is[2]!) < 1, `${is[2]} is in front of the eye and not too far`);
   }
+});
+
+test("a view that a button or a key asks for is told, and comes back as it was", () => {
+  for (const side of ["top", "front", "right"] as const) {
+    const told: string[] = [];
+    const camera = cameraOver(part, told);
+    camera.restore("");
+    assert.deepEqual(told, [], "nobody has asked");
+    camera.look(side);
+    assert.deepEqual(told, [camera.text]);
+    assert.notEqual(camera.text, "", side);
+    const again = cameraOver(part);
+    again.restore(camera.text);
+    for (const point of [part.min, part.max]) {
+      const [was, is] = [seenAt(camera, point), seenAt(again, point)];
+      assert.ok(is.every((one, i) => Math.abs(one - was[i]!) < 1e-3), `${side}: ${is} as ${was}`);
+    }
+  }
+});
+
+test("a view that is fitted from where it is by itself needs no words", () => {
+  const flat: Box = { min: [0, 0, 0], max: [80, 60, 0] };
+  for (const [box, usual, other] of [[part, "iso", "top"], [flat, "top", "iso"]] as const) {
+    const told: string[] = [];
+    const camera = cameraOver(box, told);
+    camera.restore("");
+    camera.look(other);
+    camera.look(usual);
+    camera.fit();
+    camera.look(other);
+    camera.fit();
+    assert.deepEqual(told.map((text) => text === ""), [false, true, true, false, false], usual);
+  }
+});
+
+test("a view that was moved and is fitted again needs no words, one that was turned does", () => {
+  const told: string[] = [];
+  const element = elementOf();
+  const camera = cameraOver(part, told, element);
+  camera.restore("");
+  const press = (key: string, shiftKey: boolean): void => void element.dispatchEvent(Object.assign(new Event("keydown"), { key, shiftKey }));
+  press("ArrowLeft", true);
+  camera.fit();
+  press("ArrowLeft", false);
+  camera.fit();
+  assert.deepEqual(told.map((text) => text === ""), [false, true, false, false]);
 });

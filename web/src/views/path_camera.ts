@@ -7,6 +7,15 @@ export const SIDES = ["top", "front", "right", "iso"] as const;
 export type Side = (typeof SIDES)[number];
 const DIRECTIONS: Record<Side, Triple> = { top: [0, 0, 1], front: [0, -1, 0], right: [1, 0, 0], iso: [-1, -1.4, 1.1] };
 
+const SAME_DIRECTION = 1e-7; // even from above, whose direction leans by 1e-4, a turn of a pixel is more
+
+// To the eye, of length 1.
+function directionOf(side: Side): THREE.Vector3 {
+  const direction = new THREE.Vector3(...DIRECTIONS[side]).normalize();
+  if (side === "top") direction.y -= 1e-4; // y stays upwards
+  return direction.normalize();
+}
+
 const WAYS: Readonly<Record<string, readonly [right: number, down: number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const LEAST_SHARE = 0.75;
 const MOST_ZOOM = 1e5;
@@ -104,21 +113,30 @@ export class PathCamera {
   }
 
   look(side: Side): void {
-    this.camera.up.set(0, 0, 1);
-    this.camera.position.copy(this.controls.target).addScaledVector(new THREE.Vector3(...DIRECTIONS[side]).normalize(), this.reach);
-    if (side === "top") this.camera.position.y -= this.reach * 1e-4; // y stays upwards
-    this.fit();
+    this.turnTo(side);
+    this.settled();
+  }
+
+  // As near as all of the box is seen.
+  fit(): void {
+    this.fitBox();
+    this.settled();
   }
 
   // What covers the corner is another one: a view that nobody has moved makes room for the first.
   cover(size: Size): void {
     const isFirst = this.covered.width === 0;
     this.covered = size;
-    if (isFirst && this.isFitted) this.fit();
+    if (isFirst && this.isFitted) this.fitBox();
   }
 
-  // As near as all of the box is seen.
-  fit(): void {
+  private turnTo(side: Side): void {
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.copy(this.controls.target).addScaledVector(directionOf(side), this.reach);
+    this.fitBox();
+  }
+
+  private fitBox(): void {
     const { min, max } = this.box;
     const middle = new THREE.Vector3(...min).add(new THREE.Vector3(...max)).multiplyScalar(0.5);
     const offset = this.camera.position.clone().sub(this.controls.target).setLength(this.reach);
@@ -146,9 +164,7 @@ export class PathCamera {
     const numbers = text.split(",").map(Number);
     const [px, py, pz, tx, ty, tz, zoom] = numbers;
     if (text === "" || numbers.length !== 7 || !numbers.every(Number.isFinite)) {
-      const { min, max } = this.box;
-      const flat = max[2] - min[2] <= 0.002 * Math.max(max[0] - min[0], max[1] - min[1]);
-      this.look(flat ? "top" : "iso");
+      this.turnTo(this.usualSide);
       return;
     }
     this.isFitted = false;
@@ -159,8 +175,16 @@ export class PathCamera {
     this.update();
   }
 
-  // What restore() needs.
+  private get usualSide(): Side {
+    const { min, max } = this.box;
+    const flat = max[2] - min[2] <= 0.002 * Math.max(max[0] - min[0], max[1] - min[1]);
+    return flat ? "top" : "iso";
+  }
+
+  // What restore() needs: nothing where it is the view that nobody has moved.
   get text(): string {
+    const direction = this.camera.position.clone().sub(this.controls.target).normalize();
+    if (this.isFitted && direction.distanceTo(directionOf(this.usualSide)) < SAME_DIRECTION) return "";
     const numbers = [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
     return numbers.map((number) => String(Number(number.toPrecision(6)))).join(",");
   }
