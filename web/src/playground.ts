@@ -75,10 +75,6 @@ class Playground implements PlanSource {
     const machines = select("Example machine", named(KERF_MACHINES), "", (name) => this.setMachine(KERF_MACHINES.find((one) => one.name === name) ?? KERF_MACHINES[0]));
     for (const choice of [examples, machines]) choice.addEventListener("change", () => (choice.value = ""));
     const profile = select("Profile", PROFILES.map((name) => [name, name] as const), this.order.profile, (name) => this.change({ profile: name }));
-    const feed = h("input", { type: "number", min: "1", max: "200", step: "1", value: "100", "aria-label": "Feed override in percent" });
-    feed.addEventListener("input", () => {
-      if (feed.value !== "" && feed.checkValidity()) this.typed({ feed_override: feed.valueAsNumber / 100 });
-    });
     return h(
       "div",
       { class: "tools order" },
@@ -90,9 +86,23 @@ class Playground implements PlanSource {
       machines,
       h("span", {}, "Profile"),
       profile,
-      h("label", {}, "Feed ", feed, " %"),
+      ...this.feedField(),
       this.status,
     );
+  }
+
+  // With what is said of a number that is none of a feed. Planned is the whole number, no digit of it alone: 2 of 250.
+  private feedField(): HTMLElement[] {
+    const field = h("input", { type: "number", min: "1", max: "200", step: "1", value: "100", "aria-label": "Feed override in percent" });
+    const refusal = h("span", { class: "refused", role: "alert", hidden: true, "data-test": "feed-refused" });
+    field.addEventListener("change", () => {
+      const isFeed = field.value !== "" && field.checkValidity();
+      const share = isFeed ? field.valueAsNumber / 100 : this.order.feed_override;
+      refusal.hidden = isFeed;
+      refusal.textContent = isFeed ? "" : `not planned: a whole number from 1 to 200 %; it stays at ${Math.round(100 * share)} %`;
+      if (share !== this.order.feed_override) this.change({ feed_override: share });
+    });
+    return [h("label", {}, "Feed ", field, " %"), refusal];
   }
 
   // A button that reads files of the visitor's; they stay in this page.

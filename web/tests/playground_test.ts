@@ -183,16 +183,43 @@ test("a feed override takes the time that kerf says, and can be compared", async
   await page.locator("[data-tab=difference]").click();
   await page.locator("button", { hasText: "compare with this run" }).click();
   const feed = page.locator('input[aria-label^="Feed override"]');
+  const enter = async (percent: string): Promise<void> => {
+    await feed.fill(percent);
+    await feed.press("Enter");
+  };
   for (const percent of ["50", "150"]) {
-    await after_(() => feed.fill(percent));
+    await after_(() => enter(percent));
     assert.equal(await shownTime(), clock(timeOf("--feed-override", percent, file)));
   }
   const cells = await page.locator("[data-test=difference-whole] tbody tr").first().locator("td").allTextContents();
   assert.deepEqual(cells.slice(0, 3), ["cycle time", clock(timeOf(file)), clock(timeOf("--feed-override", "150", file))]);
-  await feed.fill("500");
-  assert.equal(await feed.evaluate((element: HTMLInputElement) => element.validity.valid), false);
-  await after_(() => feed.fill("100"));
+  await after_(() => enter("100"));
   await page.locator("button", { hasText: "compare with this run" }).click();
+});
+
+test("of a feed that is typed no digit alone is planned, and one that is none is refused", async () => {
+  const file = join(SOURCE, "programs", "pocket.ngc");
+  await open("Open a program", file);
+  const feed = page.locator('input[aria-label^="Feed override"]');
+  const refused = page.locator("[data-test=feed-refused]");
+  const status = (): Promise<string | null> => page.locator('[data-test="status"]').textContent();
+  const before = await status();
+  await feed.fill("");
+  for (const digit of "250") {
+    await feed.press(digit);
+    await page.waitForTimeout(400);
+  }
+  await feed.press("Enter");
+  await page.waitForTimeout(400);
+  assert.equal(await status(), before);
+  assert.equal(await shownTime(), clock(timeOf(file)));
+  assert.match((await refused.textContent()) ?? "", /^not planned: a whole number from 1 to 200 %; it stays at 100 %$/);
+  await feed.fill("25");
+  await after_(() => feed.press("Enter"));
+  assert.equal(await refused.isVisible(), false);
+  assert.equal(await shownTime(), clock(timeOf("--feed-override", "25", file)));
+  await feed.fill("100");
+  await after_(() => feed.press("Enter"));
 });
 
 // Whose path is shown long before its times.
