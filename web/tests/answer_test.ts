@@ -105,6 +105,17 @@ test("says at the top where the first work offset may lie, and leads to the othe
   await page.context().close();
 });
 
+test("a dwell behind a tool change that takes no time is a rest, as kerf says", async () => {
+  const program = programFile("T1 M6\nG4 P2\nG1 X10 F600\nM2\n");
+  const { time_split } = JSON.parse(kerf("dry-run", "--json", program).out) as { time_split: Record<string, number> };
+  assert.deepEqual([time_split["rest_s"], time_split["tool_change_s"]], [2, 0]);
+  const { page, said } = await openReport([program]);
+  assert.equal(await textOf(page, "time-rest"), "2.000 s");
+  assert.equal(await page.locator("[data-test=time-toolChange]").count(), 0);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("tells tool changes, dwells and rapids apart", async () => {
   const machine = programFile('[program]\ntool_change_s = 3\n' + readFileSync(join(SOURCE, "programs/machines/table.toml"), "utf8").replace(/^\[program\]$/m, ""), "changer.toml");
   const text = "G21 G90 F6000\nT1 M6\n(rough)\nG1 X10\nG4 P2\nT2 M6\n(finish)\nG1 X20\nG0 X0\nM30\n";

@@ -1,7 +1,7 @@
 // Plans that tests make up.
 import type { LineNumbers } from "../src/plan/by_line.ts";
 import { Plan } from "../src/plan/plan.ts";
-import type { Decoded, Header } from "../src/plan/decode.ts";
+import type { Decoded, Header, Report } from "../src/plan/decode.ts";
 
 export interface MadeRun {
   readonly ticks: number;
@@ -13,8 +13,8 @@ export interface MadeRun {
 const limits = { v: 100, a: 1000, j: 10000 };
 
 // Runs one after the other; the tool moves along X by 1 mm a tick in each run that is no rest.
-// series: values of each tick.
-export function planOf(runs: readonly MadeRun[], source: string | null = null, series: Readonly<Record<string, readonly number[]>> = {}): Plan {
+// series: values of each tick. report: what else it says.
+export function planOf(runs: readonly MadeRun[], source: string | null = null, series: Readonly<Record<string, readonly number[]>> = {}, report: Partial<Report> = {}): Plan {
   const begin: number[] = [];
   let tick = 0;
   for (const run of runs) {
@@ -23,7 +23,7 @@ export function planOf(runs: readonly MadeRun[], source: string | null = null, s
   }
   const header = {
     version: 2,
-    report: { file: "made.ngc", period_s: 0.001, exit_status: 0, machine: "default", profile: "", warnings: [], errors: [] },
+    report: { file: "made.ngc", period_s: 0.001, exit_status: 0, machine: "default", profile: "", warnings: [], errors: [], ...report },
     diagnostics: [],
     machine: {
       path_limits: limits,

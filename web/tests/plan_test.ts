@@ -84,6 +84,15 @@ test("time is split by what the machine does, by tool and by line", () => {
   assert.deepEqual(account.operations, []);
 });
 
+test("what stands where the tool changes is a rest where no change takes time", () => {
+  const runs = [
+    { ticks: 2000, line: 2, kind: RunKind.rest, tool: 1 },
+    { ticks: 70, line: 3, kind: RunKind.cut, tool: 1 },
+  ];
+  assert.deepEqual(accountOf(planOf(runs)).whole, { cut: 70, rapid: 0, rest: 0, toolChange: 2000 });
+  assert.deepEqual(accountOf(planOf(runs, null, {}, { time_split: { tool_change_s: 0 } })).whole, { cut: 70, rapid: 0, rest: 2000, toolChange: 0 });
+});
+
 test("a line without a number has none, and 0 is one", () => {
   const lines = new ByLine(4);
   lines.set(3, 0);

@@ -60,6 +60,7 @@ export interface Report {
   readonly period_s: number;
   readonly cycle_time_s?: number;
   readonly ticks?: number;
+  readonly time_split?: { readonly tool_change_s: number };
   readonly path_length_mm?: number;
   readonly blocks?: number;
   readonly extents?: Extents;

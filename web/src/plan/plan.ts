@@ -87,7 +87,8 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
     tool: of("runs.tool"),
     kind: wanted(bytes, "runs.kind").slice(),
   };
-  findToolChanges(runs);
+  // Where no change takes time, a rest that another tool follows is a dwell behind the change.
+  if (header.report.time_split?.tool_change_s !== 0) findToolChanges(runs);
   return {
     path,
     runs,
