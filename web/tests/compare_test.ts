@@ -1,9 +1,10 @@
 // Runs side by side.
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { clock, difference } from "../src/units.ts";
-import { SOURCE, kerf, openReport, programFile, shown, textOf, traceOf } from "./report.ts";
+import { SOURCE, goTo, kerf, markedLine, openReport, programFile, shown, textOf, traceOf } from "./report.ts";
 
 test("sets two machines side by side", async () => {
   const machines = ["table", "sigmoid-wm"].map((name) => join(SOURCE, `programs/machines/${name}.toml`));
@@ -40,6 +41,28 @@ test("a run that ends early has no cycle time, and none is compared with it", as
   assert.equal(await page.locator("[data-test=time-difference]").count(), 0);
   await page.locator("[data-tab=difference]").click();
   assert.match((await page.locator(".compared").textContent()) ?? "", /f60\.ngc ends early: there is nothing to compare/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("a machine on which the program does not run shows no instant of the one on which it does", async () => {
+  const table = join(SOURCE, "programs", "machines", "table.toml");
+  const small = programFile(readFileSync(table, "utf8").replace("max_mm = 500", "max_mm = 5"), "small.toml"); // of X, the first
+  const { page, said } = await openReport([programFile("G21 G90 F600\nG1 X10\nX20\nM2\n"), "--machine", table, "--machine", small]);
+  await goTo(page, 1500);
+  assert.equal(await markedLine(page), "X20");
+  await page.locator("select[aria-label=Program]").selectOption("1");
+  assert.match(await textOf(page, "failed"), /^Does not run/);
+  assert.equal(await page.locator(".cm-now").count(), 0);
+  assert.equal(await page.locator(".now-line").evaluate((line) => (line as HTMLElement).hidden), true);
+  assert.equal(await textOf(page, "instant"), "");
+  await page.locator("body").press("Space");
+  assert.equal(await page.locator("button.play").getAttribute("aria-label"), "Play");
+  await page.locator("select[aria-label=Program]").selectOption("0");
+  await goTo(page, 1500);
+  assert.equal(await markedLine(page), "X20");
+  await page.locator(".now-line").waitFor();
+  assert.match(await textOf(page, "instant"), /line 3$/);
   assert.deepEqual(said, []);
   await page.context().close();
 });

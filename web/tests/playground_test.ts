@@ -86,6 +86,9 @@ test("what is typed is planned, and an error stands at its line until it is mend
   assert.match((await page.locator(".cm-error").textContent()) ?? "", /E\d{4}/);
   assert.equal(await page.locator("canvas.band").evaluate((band) => (band as HTMLCanvasElement).width), 0, "nothing of the plan before");
   assert.equal(await page.locator("[data-test=limit-now]").textContent(), "");
+  assert.equal(await page.locator("[data-test=instant]").textContent(), "");
+  assert.equal(await page.locator(".now-line").isVisible(), false);
+  assert.equal(await editor.locator(".cm-now").count(), 0);
   await after_(async () => {
     for (let i = 0; i <= typed.length; ++i) await page.keyboard.press("Backspace");
   });

@@ -32,12 +32,14 @@ export class PlayBar {
   }
 
   toggle(): void {
+    if (!this.plan?.motion) return;
     const { playing, tick } = this.store.state;
     const again = tick >= this.last && !playing ? { tick: 0 } : {};
     this.store.set({ playing: !playing, hover: null, ...again }, "page");
   }
 
   step(ticks: number): void {
+    if (!this.plan?.motion) return;
     const tick = Math.min(this.last, Math.max(0, Math.round(this.store.state.tick) + ticks));
     this.store.set({ tick, hover: null, playing: false }, "page");
   }
@@ -48,6 +50,11 @@ export class PlayBar {
 
   private showInstant(): void {
     if (!this.plan) return;
+    if (!this.plan.motion) {
+      this.instant.textContent = "";
+      delete this.instant.dataset["tick"];
+      return;
+    }
     const tick = this.store.instant;
     this.scrub.value = String(this.store.state.tick);
     this.instant.textContent = `${clock(tick * this.plan.period_s)}, tick ${Math.round(tick)}, ${this.plan.placeAt(tick)}`;

@@ -49,7 +49,6 @@ export class ProgramView {
   show(plan: Plan, account: Account): void {
     this.plan = plan;
     this.account = account;
-    this.line = 0;
     this.findLongest(account.lines);
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
@@ -73,8 +72,10 @@ export class ProgramView {
     requestAnimationFrame(() => setTimeout(built));
   }
 
+  // The line of the plan before goes: where the text stays, its editor does, too.
   private showPlan(plan: Plan): void {
-    this.view?.dispatch({ effects: setPlan.of(plan) });
+    this.line = 0;
+    this.view?.dispatch({ effects: [setPlan.of(plan), setLine.of(0)] });
     this.showInstant(true);
   }
 

@@ -135,6 +135,7 @@ export class TimeView {
     if (!this.plan) {
       this.band.width = 0;
       this.limitNow.replaceChildren();
+      this.line.hidden = true;
     }
     this.curves = null;
     if (!this.plan || this.area.clientWidth === 0) return;
