@@ -51,7 +51,7 @@ export function clock(seconds: number, given?: number): string {
 export function shortTime(seconds: number): string {
   if (seconds < 0.9995) return seconds.toFixed(3);
   if (seconds < 9.995) return seconds.toFixed(2);
-  return seconds < 59.95 ? seconds.toFixed(1) : clock(seconds).split(".")[0]!;
+  return seconds < 59.95 ? seconds.toFixed(1) : clock(Math.max(60, seconds), 0); // what rounds to a minute is one
 }
 
 // "+0.250 s, 4.81 %"; nothing where both are the same.

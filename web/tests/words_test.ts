@@ -24,6 +24,7 @@ test("times are read as clocks", () => {
   assert.equal(shortTime(0.0354), "0.035");
   assert.equal(shortTime(2.534), "2.53");
   assert.equal(shortTime(123.4), "2:03");
+  assert.deepEqual([59.94, 59.95, 59.999, 60, 119.4, 119.99, 3599.6].map(shortTime), ["59.9", "1:00", "1:00", "1:00", "1:59", "2:00", "1:00:00"]);
 });
 
 test("figures have the digits that can be read, and a minus sign", () => {
