@@ -116,3 +116,24 @@ test("a view that was moved and is fitted again needs no words, one that was tur
   camera.fit();
   assert.deepEqual(told.map((text) => text === ""), [false, true, false, false]);
 });
+
+test("an address that says no view is as one that says nothing", () => {
+  const usual = cameraOver(part);
+  usual.restore("");
+  for (const text of [",,,,,,", "1,1,1,0,0,0,-5", "1,1,1,0,0,0,0", "1,1,1,0,0,0,1e999", "1,2,3,1,2,3,5", "1,1,1,0,0,0", "1,1,1,0,0,0,", "1e300,1,1,0,0,0,5", "-,1,1,0,0,0,5"]) {
+    const camera = cameraOver(part);
+    camera.restore(text);
+    assert.equal(camera.text, "", text);
+    assert.deepEqual(seenAt(camera, part.max), seenAt(usual, part.max), text);
+  }
+});
+
+test("a view that is looked at closely comes back to a tenth of a pixel", () => {
+  const [camera, again] = [cameraOver(large), cameraOver(large)];
+  camera.restore("1234.56789,-1000,800,1234.56789,987.654321,-2,54321.9876");
+  again.restore(camera.text);
+  const point: Triple = [1234.57, 987.654, -2];
+  const [was, is] = [seenAt(camera, point), seenAt(again, point)];
+  const pixels = Math.hypot((is[0]! - was[0]!) * view.width, (is[1]! - was[1]!) * view.height) / 2;
+  assert.ok(pixels < 0.1, `${pixels} pixels off`);
+});

@@ -17,6 +17,7 @@ function directionOf(side: Side): THREE.Vector3 {
 }
 
 const WAYS: Readonly<Record<string, readonly [right: number, down: number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const TEXT_DIGITS = 9; // of a metre a hundredth of a micrometre: a pixel of the closest view
 const LEAST_SHARE = 0.75;
 const MOST_ZOOM = 1e5;
 const KEY_ANGLE_RAD = Math.PI / 36;
@@ -62,6 +63,17 @@ export function placeFor(points: readonly Point[], view: Size, covered: Size): {
   const above = { zoom: fits(view.width, view.height - covered.height), right: 0, up: covered.height / 2 };
   const free = beside.zoom > above.zoom ? beside : above;
   return free.zoom > LEAST_SHARE * whole.zoom ? free : whole;
+}
+
+// The numbers of a view as text(): null where they are none.
+function viewOf(text: string): { target: THREE.Vector3; direction: THREE.Vector3; zoom: number } | null {
+  const words = text.split(",");
+  const [px, py, pz, tx, ty, tz, zoom] = words.map(Number);
+  if (words.length !== 7 || words.includes("") || !(zoom! > 0 && zoom! < Infinity)) return null;
+  const target = new THREE.Vector3(tx, ty, tz);
+  const direction = new THREE.Vector3(px, py, pz).sub(target);
+  const away = direction.length(); // not finite where one of them is not
+  return away > 0 && away < Infinity ? { target, direction: direction.divideScalar(away), zoom: zoom! } : null;
 }
 
 export class PathCamera {
@@ -159,19 +171,18 @@ export class PathCamera {
     this.update();
   }
 
-  // From the fragment; a fitted view from above, of what is flat, or from a corner where it says nothing.
+  // From the fragment; a fitted view from above, of what is flat, or from a corner where it says nothing that is one.
   restore(text: string): void {
-    const numbers = text.split(",").map(Number);
-    const [px, py, pz, tx, ty, tz, zoom] = numbers;
-    if (text === "" || numbers.length !== 7 || !numbers.every(Number.isFinite)) {
+    const found = viewOf(text);
+    if (!found) {
       this.turnTo(this.usualSide);
       return;
     }
     this.isFitted = false;
-    const target = this.controls.target.set(tx!, ty!, tz!);
+    this.controls.target.copy(found.target);
     // As far as this scene asks for: the view may be of another one.
-    this.camera.position.set(px!, py!, pz!).sub(target).setLength(this.reach).add(target);
-    this.camera.zoom = zoom!;
+    this.camera.position.copy(found.target).addScaledVector(found.direction, this.reach);
+    this.camera.zoom = found.zoom;
     this.update();
   }
 
@@ -186,7 +197,7 @@ export class PathCamera {
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
     if (this.isFitted && direction.distanceTo(directionOf(this.usualSide)) < SAME_DIRECTION) return "";
     const numbers = [...this.camera.position.toArray(), ...this.controls.target.toArray(), this.camera.zoom];
-    return numbers.map((number) => String(Number(number.toPrecision(6)))).join(",");
+    return numbers.map((number) => String(Number(number.toPrecision(TEXT_DIGITS)))).join(",");
   }
 
   // As the mouse does: an arrow turns what is seen its way, with Shift it moves it.
