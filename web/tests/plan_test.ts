@@ -6,7 +6,6 @@ import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
-import { colouringOf, innerColumns } from "../src/views/path_colours.ts";
 import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
 import { numbersOf, planOf } from "./helper.ts";
 
@@ -226,22 +225,5 @@ test("the instant at a place of a long path is the one that a look at each of it
     }
     assert.equal(tickNear(path, pointing, 1000), tick);
     assert.equal(tickNear(path, pointing, 0.5 * nearest), null);
-  }
-});
-
-test("a long stretch is coloured by what is between its ends, a short one by all of it", () => {
-  assert.deepEqual(innerColumns(26, 10002), [90, 9938]);
-  assert.deepEqual(innerColumns(100, 140), [110, 130]);
-  assert.deepEqual(innerColumns(7, 10), [7, 10]);
-});
-
-test("a stretch is coloured by the feed that it has on the average: a short ramp at its end is not half of it", () => {
-  const feed = [...Array.from({ length: 1000 }, () => 50), ...Array.from({ length: 20 }, (_, i) => 50 - 2.5 * (i + 1))];
-  const plan = planOf([{ ticks: 1020, line: 1, kind: RunKind.cut }], null, { "path.v": feed });
-  const colouring = colouringOf(plan, plan.path!, "feed", { rgb: [1, 1, 1], dark: false });
-  assert.equal(colouring.legend.kind === "scale" && colouring.legend.most, 50);
-  const mean = (from: number, to: number): number => feed.slice(from, to).reduce((sum, one) => sum + one, 0) / (to - from) / 50;
-  for (const [from, to] of [[0, 1020], [0, 1000], [1000, 1020], [990, 1010], [1019, 1020]] as const) {
-    assert.ok(Math.abs(colouring.valueOf(from, to) - mean(from, to)) < 1e-6, `${from} to ${to}: ${colouring.valueOf(from, to)}`);
   }
 });

@@ -81,12 +81,36 @@ function byPart(
   return { legend: { kind: "parts", title: legend.title, parts }, valueOf, rgbOf: legend.colour };
 }
 
+// From point to point of the path.
+function meanFeed(plan: Plan, from: number, to: number): number {
+  const { tick, xyz } = plan.motion!.path;
+  return Math.hypot(...xyz.map((axis) => axis[to]! - axis[from]!)) / ((tick[to]! - tick[from]!) * plan.period_s);
+}
+
+// The largest between two points without a rapid. Of several ticks, the columns at both ends have some of the rapids there.
+function largestBetween(plan: Plan, first: number, last: number): number {
+  const { path, ticksPerColumn } = plan.motion!;
+  const series = plan.series("path.v");
+  const [from, to] = [path.tick[first]!, path.tick[last]!];
+  if (ticksPerColumn === 1) return series.range(...columnsOf(plan, from, to)).max;
+  const [begin, end] = [Math.ceil(from / ticksPerColumn), Math.floor(to / ticksPerColumn)];
+  if (begin < end) return series.range(begin, end).max;
+  let most = 0;
+  for (let i = first + 1; i <= last; ++i) {
+    if (path.tick[i]! > path.tick[i - 1]!) most = Math.max(most, meanFeed(plan, i - 1, i));
+  }
+  return most;
+}
+
 // The largest feedrate that is no rapid's; of a program that only has rapids theirs.
 function largestFeed(plan: Plan): number {
   const { path, columns } = plan.motion!;
   let most = 0;
-  for (let i = 1; i < path.tick.length; ++i) {
-    if (path.rapid[i] === 0) most = Math.max(most, plan.series("path.v").range(...columnsOf(plan, path.tick[i - 1]!, path.tick[i]!)).max);
+  for (let first = 0, i = 1; i <= path.tick.length; ++i) {
+    if (path.rapid[i] === 0) continue;
+    // A rapid leads to this point, or there is none.
+    if (i - 1 > first) most = Math.max(most, largestBetween(plan, first, i - 1));
+    first = i;
   }
   return most > 0 ? most : plan.series("path.v").range(0, columns).max;
 }
