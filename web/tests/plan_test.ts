@@ -5,7 +5,7 @@ import { ByLine } from "../src/plan/by_line.ts";
 import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
-import { drawnColumns, drawnLimits } from "../src/views/columns.ts";
+import { drawnColumns, drawnLimits, finenessText } from "../src/views/columns.ts";
 import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
 import { numbersOf, planOf } from "./helper.ts";
 
@@ -177,6 +177,15 @@ test("a chart has every peak at any width", () => {
   const near = drawnColumns(plan, "path.v", { from: 630, to: 640 }, 500);
   assert.deepEqual([...near.tick], [630, 631, 632, 633, 634, 635, 636, 637, 638, 639, 640]);
   assert.equal(near.max[7], 5);
+});
+
+test("what of a long run is not known to the tick is told", () => {
+  const plan = planOf([{ ticks: 1000, line: 1, kind: RunKind.cut }]);
+  assert.equal(finenessText(plan), "");
+  Object.assign(plan.motion!, { ticksPerColumn: 4 });
+  assert.equal(finenessText(plan), "The finest level of this report is 4 ticks (0.00400 s) a column; minimum and maximum are kept.");
+  Object.assign(plan.header, { shortest_run_ticks: 2 });
+  assert.match(finenessText(plan), /are kept\. Runs of fewer than 2 ticks may be joined with those before them: times of lines, tools and operations are rough\.$/);
 });
 
 test("the band shows what limits most of the time behind a pixel", () => {

@@ -1,5 +1,6 @@
-// What a chart of some pixels' width shows of a series: every minimum and maximum, at any zoom.
+// What a chart of some pixels' width shows of a series: every minimum and maximum, at any zoom; and how fine it can be.
 import type { Plan } from "../plan/plan.ts";
+import { plain } from "../units.ts";
 
 export interface Span {
   readonly from: number; // in ticks
@@ -51,4 +52,14 @@ export function drawnLimits(plan: Plan, span: Span, pixels: number): Int16Array 
     found[i] = best;
   }
   return found;
+}
+
+// What of a run is not known to the tick; empty: all is.
+export function finenessText(plan: Plan): string {
+  const ticks = plan.motion?.ticksPerColumn ?? 1;
+  const shortest = plan.header.shortest_run_ticks ?? 1;
+  return [
+    ...(ticks > 1 ? [`The finest level of this report is ${ticks} ticks (${plain(ticks * plan.period_s, 3)} s) a column; minimum and maximum are kept.`] : []),
+    ...(shortest > 1 ? [`Runs of fewer than ${shortest} ticks may be joined with those before them: times of lines, tools and operations are rough.`] : []),
+  ].join(" ");
 }

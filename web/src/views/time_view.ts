@@ -3,9 +3,9 @@ import { hexOf, rgbOf, visibleOn } from "../colours.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
-import { clock, plain } from "../units.ts";
+import { clock } from "../units.ts";
 import { chartAfter } from "./chart_keys.ts";
-import { drawnLimits, type Span } from "./columns.ts";
+import { drawnLimits, finenessText, type Span } from "./columns.ts";
 import type { Ground } from "./ground.ts";
 import { AXIS_PIXELS, TimeChart, type Charted } from "./time_chart.ts";
 
@@ -47,9 +47,7 @@ export class TimeView {
     const last = Math.max(1, plan.motion?.lastTick ?? 1);
     const [from, to] = this.store.state.span ?? [0, last];
     this.span = from < last ? { from, to: Math.min(to, last) } : { from: 0, to: last };
-    const perColumn = plan.motion?.ticksPerColumn ?? 1;
-    this.note.textContent =
-      perColumn > 1 ? `The finest level of this report is ${perColumn} ticks (${plain(perColumn * plan.period_s, 3)} s) a column; minimum and maximum are kept.` : "";
+    this.note.textContent = finenessText(plan);
     this.build();
   }
 
