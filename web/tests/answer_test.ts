@@ -94,6 +94,15 @@ test("says between which values the work offset in force would fit", async () =>
   await page.context().close();
 });
 
+test("of an axis that an offset moves twice as far it is not said that it stays where it is", async () => {
+  const { page, said } = await openReport([programFile("G21 G90 F600\nG1 X[2 * #5221 + 5] Y5\nM2\n"), "--g54", "10,0,0"]);
+  await page.locator("[data-tab=answer]").click();
+  const cells = await page.locator("[data-test=offsets] tbody tr").first().locator("td").allTextContents();
+  assert.deepEqual([cells[0], cells[2]], ["X", "does not move it, or not one to one"]);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("says at the top where the first work offset may lie, and leads to the others", async () => {
   const { page, said } = await openReport([programFile("G21 G90 F6000\nG54 G1 X20\nG55 G1 X-100 Y30\nM30\n")]);
   // The travel of X is -500 to 500, and G54 moves the end of the first line alone, X20.

@@ -11,7 +11,7 @@ export function fitText(fit: Fit, units: Units): string {
 
 // Where the origin of a work offset may lie: "-12 to 340".
 export function rangeText(range: OffsetRange | undefined, units: Units): string {
-  if (range === undefined) return "does not move it";
+  if (range === undefined) return "does not move it, or not one to one"; // the report does not tell the two apart
   if (!range.fits_somewhere) return "no place: larger than the travel";
   const end = (value: number | null, bound: "least" | "most"): string => (value === null ? "any" : boundText(value, bound, units));
   return `${end(range.min_mm, "least")} to ${end(range.max_mm, "most")}`;
