@@ -72,6 +72,8 @@ class Channel(ControlCase):
                 time.sleep(0.02)
         connection.settimeout(60)
         client = self.client(connection)
+        client.write('{"command":"events","since":1}\n')
+        client.read_until(type="event", state="running")  # it has read its program, which the second one writes anew
         self.assertEqual(stat.S_IMODE(os.stat(where).st_mode), 0o600)
         second = self.run_kerf(where, slow)
         self.assertEqual(second.wait(timeout=60), 5)
