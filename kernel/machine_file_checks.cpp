@@ -20,6 +20,18 @@ void raise(double& possible, double planned) {
   }
 }
 
+std::optional<KeyProblem> home_problem(const AxisHoming& homing, const Travel& travel) {
+  const bool has_home = std::isfinite(homing.home_mm);
+  const double home_mm = has_home ? homing.home_mm : homing.switch_mm;
+  if (!std::isfinite(homing.switch_mm) || (home_mm >= travel.min_mm && home_mm <= travel.max_mm)) {
+    return std::nullopt;
+  }
+  const std::string message = "found " + text_of(home_mm) + ", expected a place within the travel";
+  return has_home ? KeyProblem{"home_mm", message}
+                  : KeyProblem{"home_switch_mm",
+                               message + ", or home_mm, where the axis goes from there"};
+}
+
 }  // namespace
 
 void raise_silent_drive(MachineSettings& settings, std::size_t axis,
@@ -69,14 +81,8 @@ std::vector<KeyProblem> check_axis(const MachineSettings& settings, std::size_t 
   if (settings.manual.homing[axis].search_mm_s == 0.0) {
     blame("home_search_mm_s", 0.0, "a number that is not 0: its sign is the direction");
   }
-  const AxisHoming& homing = settings.manual.homing[axis];
-  const bool has_home = std::isfinite(homing.home_mm);
-  const double home_mm = has_home ? homing.home_mm : homing.switch_mm;
-  if (std::isfinite(homing.switch_mm) &&
-      (home_mm < drive.travel.min_mm || home_mm > drive.travel.max_mm)) {
-    blame(has_home ? "home_mm" : "home_switch_mm", home_mm,
-          has_home ? "a place within the travel"
-                   : "a place within the travel, or home_mm, where the axis goes from there");
+  if (const auto problem = home_problem(settings.manual.homing[axis], drive.travel)) {
+    problems.push_back(*problem);
   }
   // An outer loop faster than the inner one oscillates, and with an integral it may be unstable.
   if (drive.position_gain_per_s > drive.velocity_gain_per_s) {

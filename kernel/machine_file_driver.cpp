@@ -26,16 +26,19 @@ std::string known_drivers() {
 
 }  // namespace
 
+void MachineFileReader::read_max_late_periods(const Section& section) {
+  const toml::node* const late = section.table->get(kMaxLatePeriods.key);
+  const auto number = late != nullptr ? read_number(section, kMaxLatePeriods, *late) : std::nullopt;
+  if (number && *number != std::floor(*number)) {
+    report(late->source(), section.path_to(kMaxLatePeriods.key) + ": expected a whole number");
+  } else if (number) {
+    driver_.max_late_periods = static_cast<int>(*number);
+  }
+}
+
 void MachineFileReader::read_driver(const Section& section) {
   check_keys(section, kDriverKeys);
-  if (const toml::node* const late = section.table->get(kMaxLatePeriods.key)) {
-    const auto number = read_number(section, kMaxLatePeriods, *late);
-    if (number && *number != std::floor(*number)) {
-      report(late->source(), section.path_to(kMaxLatePeriods.key) + ": expected a whole number");
-    } else if (number) {
-      driver_.max_late_periods = static_cast<int>(*number);
-    }
-  }
+  read_max_late_periods(section);
   if (const toml::node* const timeout = section.table->get(kTimeout.key)) {
     driver_.timeout_s = read_number(section, kTimeout, *timeout).value_or(driver_.timeout_s);
   }

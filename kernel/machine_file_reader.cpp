@@ -77,15 +77,7 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   if (const auto path = subsection(file, "path")) {
     read_numbers(*path, path_rules(), 0);
   }
-  const auto axes = subsection(file, "axes");
-  if (axes) {
-    read_axes(*axes);
-  }
-  for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
-    if (!axes || !axes->table->contains(kAxisNames[axis])) {
-      raise_silent_drive(settings_, axis, [](std::string_view) { return false; });
-    }
-  }
+  read_axes(file);
   if (const auto offsets = subsection(file, "offsets")) {
     read_offsets(*offsets);
   }
@@ -124,15 +116,23 @@ tl::expected<MachineSettings, std::vector<SettingsError>> MachineFileReader::rea
   return tl::unexpected(std::move(errors_));
 }
 
-void MachineFileReader::read_axes(const Section& axes) {
-  check_keys(axes, kAllAxisNames);
+void MachineFileReader::read_axes(const Section& file) {
+  const auto axes = subsection(file, "axes");
+  if (axes) {
+    check_keys(*axes, kAllAxisNames);
+  }
+  const auto section_of = [&](std::string_view name) {
+    return axes ? subsection(*axes, name) : std::nullopt;
+  };
   for (std::size_t axis = 0; axis < kAxisNames.size(); ++axis) {
-    if (const auto section = subsection(axes, kAxisNames[axis])) {
+    if (const auto section = section_of(kAxisNames[axis])) {
       read_axis(*section, axis);
+    } else {
+      raise_silent_drive(settings_, axis, [](std::string_view) { return false; });
     }
   }
   for (std::size_t axis = 0; axis < kExtraAxisNames.size(); ++axis) {
-    if (const auto section = subsection(axes, kExtraAxisNames[axis])) {
+    if (const auto section = section_of(kExtraAxisNames[axis])) {
       read_extra_axis(*section, axis);
     }
   }

@@ -54,7 +54,7 @@ class MachineFileReader {
   std::optional<double> read_number(const Section& section, const NumberRule& rule,
                                     const toml::node& node);
   void read_truth(const Section& section, std::string_view key, bool& truth);
-  void read_axes(const Section& axes);
+  void read_axes(const Section& file);
   void read_axis(const Section& section, std::size_t axis);
   void check_bounds(const Section& file);
 
@@ -90,6 +90,7 @@ class MachineFileReader {
 
   // machine_file_driver.cpp
   void read_driver(const Section& section);
+  void read_max_late_periods(const Section& section);
 
   // machine_file_faults.cpp
   void read_faults(const Section& driver);

@@ -18,7 +18,10 @@ constexpr double kFarLimit = 4.0;
 // From so many ticks a band on, some half of a pixel, a curve would be a solid bar.
 constexpr std::int64_t kBandTicks = 16;
 
-constexpr double kRounding = 1e-9;  // of a curve that is 0
+double top_of(double largest) noexcept {
+  constexpr double kRounding = 1e-9;  // of a curve that is 0
+  return 1.1 * (largest > kRounding ? largest : 1.0);
+}
 
 double time_to_x(const PixelBox& frame, const TimeAxis& axis, double units) noexcept {
   return frame.left + frame.width * units / axis.end;
@@ -120,8 +123,7 @@ void draw_time_panel(SvgCanvas& canvas, const PixelBox& frame, const TimeCurve& 
   }
   const bool has_limit = std::isfinite(curve.limit) && curve.limit > 0.0;
   const bool draws_limit = has_limit && (peak == 0.0 || curve.limit <= kFarLimit * peak);
-  const double largest = std::max(draws_limit ? curve.limit : 0.0, peak);
-  const double top = 1.1 * (largest > kRounding ? largest : 1.0);
+  const double top = top_of(std::max(draws_limit ? curve.limit : 0.0, peak));
   const ValueRange range{.min = curve.is_signed ? -top : 0.0, .max = top};
   draw_grid(canvas, frame, range, axis);
   if (draws_limit) {
