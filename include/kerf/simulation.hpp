@@ -74,8 +74,8 @@ struct HeightMapError {
 };
 
 /// Reads lines of "x y z" in mm, in machine coordinates, which make a grid in any order: all pairs
-/// of some x and some y, both evenly spaced. Blank lines and lines that begin with '#' say nothing;
-/// a comma parts numbers as a blank does.
+/// of some x and some y, both evenly spaced. Blank lines and what follows a '#' say nothing; a
+/// comma parts numbers as a blank does.
 //
 /// Errors: a line of other than three finite numbers, no grid, a spacing that is not even, fewer
 /// than two columns or rows or more than kMaxColumns.
