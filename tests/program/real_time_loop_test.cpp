@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <chrono>
+#include <new>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -33,12 +35,10 @@ class WholeText final : public TextFeed {
 };
 
 // Of the default machine.
-RunOutcome run_on(machine::Machine& machine, Controller& controller, Operator& by,
-                  std::string program) {
+RunOutcome run_on(machine::Machine& machine, Controller& controller, Operator& by, TextFeed& text) {
   const MachineSettings settings = default_machine();
   TickStage ticks({.settings = settings}, machine);
   ticks.enable({});
-  WholeText text(std::move(program));
   Progress progress;
   ControllerPlanning planning(controller);
   Feeder feeder(planning, text, progress);
@@ -46,6 +46,12 @@ RunOutcome run_on(machine::Machine& machine, Controller& controller, Operator& b
   return run_in_real_time(
       {.controller = controller, .by = by, .period_s = settings.limits.period_s},
       {feeder, ticks, recorder, progress});
+}
+
+RunOutcome run_on(machine::Machine& machine, Controller& controller, Operator& by,
+                  std::string program) {
+  WholeText text(std::move(program));
+  return run_on(machine, controller, by, text);
 }
 
 // A table under which the program is started within a tick, behind its setpoint.
@@ -106,6 +112,56 @@ class CutOff final : public machine::Machine {
   int writes_ = 0;
 };
 
+// A table that knows where it was switched off.
+class SwitchedOffSomewhere final : public machine::Machine {
+ public:
+  explicit SwitchedOffSomewhere(const MachineSettings& settings) : table_(settings.table) {}
+
+  void enable(const machine::AxisPlaces& places) noexcept override { table_.enable(places); }
+  void disable() noexcept override {
+    table_.disable();
+    last_ = latest_;
+  }
+  void write(const Setpoint& setpoint) noexcept override {
+    table_.write(setpoint);
+    latest_ = setpoint;
+    ++writes_;
+  }
+  [[nodiscard]] machine::MachineState read() const noexcept override { return table_.read(); }
+  [[nodiscard]] int writes() const noexcept { return writes_; }  // any thread
+  [[nodiscard]] const Setpoint& last() const noexcept { return last_; }
+
+ private:
+  machine::SimulatedTable table_;
+  Setpoint latest_{};
+  Setpoint last_{};
+  std::atomic<int> writes_ = 0;
+};
+
+// Once the tool is in motion memory is used up.
+class EndsMemoryInMotion final : public TextFeed {
+ public:
+  EndsMemoryInMotion(std::string text, const SwitchedOffSomewhere& machine)
+      : text_(std::move(text)), machine_(&machine) {}
+  tl::expected<TextPiece, std::string> read() override {
+    if (!std::exchange(was_read_, true)) {
+      return TextPiece{.state = TextPiece::State::text, .bytes = text_};
+    }
+    if (machine_->writes() > kInMotion) {
+      throw std::bad_alloc();
+    }
+    return TextPiece{.state = TextPiece::State::not_yet};
+  }
+  [[nodiscard]] double share_read() const noexcept override { return 0.5; }
+
+ private:
+  static constexpr int kInMotion = 500;
+
+  std::string text_;
+  const SwitchedOffSomewhere* machine_;
+  bool was_read_ = false;
+};
+
 std::vector<ControllerState> states_told(const Controller& controller) {
   std::array<ControllerEvent, ControllerEvent::kKept> events;
   std::vector<ControllerState> states;
@@ -131,6 +187,21 @@ TEST(RealTimeLoop, IsInFaultOnceWhereAnEmergencyStopCutsTheDrives) {
   EXPECT_EQ(controller.status().state, ControllerState::fault);
   EXPECT_EQ(std::ranges::count(states, ControllerState::fault), 1);
   EXPECT_LE(std::ranges::count(states, ControllerState::emergency_stop), 1);
+}
+
+// Found with a client: where memory ended in planning the drives were switched off at full speed.
+TEST(RealTimeLoop, ComesToRestOnThePathWherePlanningFails) {
+  const MachineSettings settings = default_machine();
+  Controller controller(settings, {.asks_machine = true});
+  Operator by(controller, true);
+  ASSERT_TRUE(by.give(kerf::Command::enable));
+  ASSERT_TRUE(by.give(kerf::Command::start));
+  SwitchedOffSomewhere machine(settings);
+  EndsMemoryInMotion text("G21 G90 G61 G1 F6000 X200\n", machine);
+  EXPECT_THROW(run_on(machine, controller, by, text), std::bad_alloc);
+  EXPECT_GT(machine.writes(), 1500) << "200 mm at 100 mm/s";
+  EXPECT_EQ(machine.last().position_mm[0], 200.0);
+  EXPECT_EQ(machine.last().v_mm_s, 0.0);
 }
 
 TEST(RealTimeLoop, RunsAProgramThatIsStartedBetweenATickAndItsEnd) {

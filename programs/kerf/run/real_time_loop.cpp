@@ -158,12 +158,13 @@ class Ticks {
             TickGap{.duration_s = timer.delay_s(), .line = record_.line, .tick = record_.tick};
         planning.stop();
       }
-      is_over = tick(recorder, planning);
+      // Without planning the ticks still have a whole way to rest.
+      is_over = tick(recorder, planning) || (planning.failed() && !(setpoint_.v_mm_s > 0.0));
       outcome_.tick_times.add(TickTimer::now_ns() - begin_ns);
-      if (planning.failed()) {
-        stage_.ticks.disable();
-        planning.rethrow();
-      }
+    }
+    if (planning.failed()) {
+      stage_.ticks.disable();
+      planning.rethrow();
     }
     if (state_ == ControllerState::idle && !outcome_.gap) {
       stage_.ticks.hear_out(setpoint_, [&] { static_cast<void>(repeats() ? 0.0 : timer.wait()); });
