@@ -74,6 +74,11 @@ class ExitStatus(Case):
         self.kerf("dry-run", program, "--trace", self.path("a.csv"), status=2)
         self.assertEqual(pathlib.Path(program).read_text(), SQUARE)
 
+    def test_of_a_start_that_nobody_can_give(self):
+        square = self.path("square.ngc", SQUARE)
+        self.assertIn("--wait-start needs", self.kerf("run", square, "--wait-start", stdin="", status=2).stderr)
+        self.assertIn("--wait-start needs", self.kerf("run", "-", "--wait-start", stdin=SQUARE, status=2).stderr)
+
     def test_of_empty_names_of_files(self):
         square = self.path("square.ngc", SQUARE)
         for command, option in (("run", "--replay"), ("run", "--journal"), ("run", "--record"), ("run", "--flight-recorder"), ("dry-run", "--tools")):

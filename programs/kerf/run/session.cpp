@@ -117,6 +117,12 @@ class Session {
     has_keys_ = !source.is_open() && !plan_ && Keyboard::has_terminal();
     kernel_options_.refuses_waits =
         !has_keys_ && !options_.control && !(plan_ && plan_->is_attended);
+    if (options_.waits_for_start && kernel_options_.refuses_waits) {
+      report_.fail(
+          ExitStatus::wrong_use,
+          "--wait-start needs a terminal or --control: nobody else could start the program");
+      return true;
+    }
     if (source.is_open() && std::holds_alternative<AtFirstMove>(options_.start)) {
       report_.fail(ExitStatus::wrong_use, "--start first-move needs a FILE that can be read twice");
       return true;
