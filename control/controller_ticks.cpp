@@ -76,7 +76,8 @@ void Controller::Impl::follow(Ticked tick, const Kernel& kernel) noexcept {
       break;
     case TickStatus::held:
       change_if(State::holding, State::held);
-      if (is_text_late_.load(std::memory_order_relaxed)) {  // it is over, and nothing is planned
+      if (is_text_late_.load(std::memory_order_relaxed) &&
+          wants_text_.load(std::memory_order_relaxed)) {  // it is over, and nothing is planned
         change_if(State::running, State::waiting);
       } else {  // by the feed
         change_if(State::waiting, State::running);

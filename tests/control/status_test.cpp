@@ -72,32 +72,6 @@ TEST(Controller, SaysThatTheFeedHoldsIt) {
   EXPECT_GT(shop.setpoint.v_mm_s, 0.0);
 }
 
-// Found with a client: it was said to run.
-TEST(Controller, WaitsForTextBehindAWaitThatIsAnswered) {
-  Shop shop;
-  shop.give(Command::enable);
-  shop.give(Command::start);
-  shop.controller.feed("G21 G90 G1 X1 F600\nM0\n");
-  const auto tick = [&](int count) {
-    for (int i = 0; i < count; ++i) {
-      if (shop.controller.plan()) {
-        shop.controller.text_is_late();
-      }
-      shop.controller.tick(shop.setpoint);
-    }
-  };
-  tick(1000);
-  ASSERT_EQ(shop.controller.status().waits_for, WaitsFor::answer);
-  shop.give(Command::resume);
-  tick(50);
-  EXPECT_EQ(shop.controller.status().state, State::waiting);
-  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
-  shop.controller.feed("G1 X2\n");
-  shop.controller.finish();
-  shop.tick_until(State::idle);
-  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
-}
-
 TEST(Controller, SaysThatItWaitsForTheMachine) {
   Controller controller(mill(), {.asks_machine = true});
   ASSERT_TRUE(controller.give(Command::enable));
@@ -135,33 +109,6 @@ TEST(Controller, SaysThatItWaitsForTheMachine) {
             1);
 }
 
-TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
-  Shop shop;
-  const auto tick_until = [&](State state) {
-    for (int i = 0; i < 2000 && shop.controller.status().state != state; ++i) {
-      if (shop.controller.plan()) {
-        shop.controller.text_is_late();
-      }
-      shop.controller.tick(shop.setpoint);
-    }
-    ASSERT_EQ(shop.controller.status().state, state);
-  };
-  shop.give(Command::enable);
-  shop.give(Command::start);
-  shop.controller.feed("G21 G90\nG1 X1 F3000\n");
-  tick_until(State::waiting);
-  shop.give(Command::hold);
-  tick_until(State::held);
-  shop.give(Command::resume);
-  tick_until(State::waiting);
-  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
-  shop.controller.feed("G1 X2\n");
-  shop.controller.finish();
-  tick_until(State::idle);
-  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
-}
-
-// On this line X is the path length, of one tick or of another, never of two.
 // A thread that had changed the state could tell of it behind the one that changed it next.
 TEST(Controller, TellsLastOfTheStateThatItIsInWhicheverThreadChangedIt) {
   for (int round = 0; round < 300; ++round) {
@@ -183,6 +130,7 @@ TEST(Controller, TellsLastOfTheStateThatItIsInWhicheverThreadChangedIt) {
   }
 }
 
+// On this line X is the path length, of one tick or of another, never of two.
 TEST(Controller, ShowsEachThreadAWholeTick) {
   Shop shop;
   shop.begin("G21 G90\nG1 X1000 F6000\nM2\n");
