@@ -183,9 +183,11 @@ bool Controller::Impl::tell() {
                   .message = messages_.add(message)});
   }
   operator_.left_s = kernel_->left_s();
-  const std::string_view codes = kernel_->active_codes().substr(0, operator_.codes.size());
-  operator_.codes = {};
-  std::ranges::copy(codes, operator_.codes.begin());
+  // Before its first block those of what ran before are in force.
+  if (const std::string_view codes = kernel_->active_codes(); !codes.empty()) {
+    operator_.codes = {};
+    std::ranges::copy(codes.substr(0, operator_.codes.size()), operator_.codes.begin());
+  }
   published_.write(operator_);
   return !messages.empty();
 }

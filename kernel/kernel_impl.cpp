@@ -1,6 +1,7 @@
 #include "kernel/kernel_impl.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "kernel/program_state.hpp"
@@ -52,8 +53,12 @@ void Kernel::Impl::forget_before(std::int64_t tick) {
 }
 
 void Kernel::Impl::follow_tool() {
-  if (has_come_to_end() || (has_errors() && has_run_all())) {
-    notes_.reach_end();
+  if (has_come_to_end()) {
+    if (!notes_.is_at_end()) {
+      notes_.reach_end(pipeline_.path().reader().state_left({}).modal);
+    }
+  } else if (has_errors() && has_run_all()) {
+    notes_.reach(std::numeric_limits<std::uint64_t>::max());
   } else {
     notes_.reach(interpolator_.reached_block());
     if (notes_.has_more_to_say()) {

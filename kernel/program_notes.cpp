@@ -98,15 +98,24 @@ void ProgramNotes::reach(std::uint64_t block) {
     state_ = std::move(ahead_.front().state);
     ahead_.pop_front();
   }
+  tell_state();
+}
+
+// What stands behind the last motion counts, too.
+void ProgramNotes::reach_end(const parser::ModalState& left) {
+  announce(std::numeric_limits<std::uint64_t>::max());
+  ahead_.clear();
+  is_at_end_ = true;
+  state_ = left;
+  tell_state();
+}
+
+void ProgramNotes::tell_state() {
   codes_.clear();
   for (const std::string& code : parser::codes_in_force(*state_)) {
     codes_ += (codes_.empty() ? "" : " ") + code;
   }
   words_ = parser::words_in_force(*state_);
-}
-
-void ProgramNotes::reach_end() {
-  reach(std::numeric_limits<std::uint64_t>::max());
 }
 
 std::vector<ProgramMessage> ProgramNotes::take_messages() {

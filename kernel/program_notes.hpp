@@ -30,9 +30,11 @@ class ProgramNotes final : public PipelineObserver {
   void rest(double duration_s) override { time_left_.push_rest(duration_s); }
   void pushed(const lookahead::Block& block) override { time_left_.push(block); }
 
-  // The tool has come to this block (parser::Move::block), or to the program's end.
+  // The tool has come to this block (parser::Move::block), or to the program's end, which leaves
+  // that.
   void reach(std::uint64_t block);
-  void reach_end();
+  void reach_end(const parser::ModalState& left);
+  [[nodiscard]] bool is_at_end() const noexcept { return is_at_end_; }
   // The tool is about to come to it: what the program says is there before it is.
   // True: it says something.
   bool announce(std::uint64_t block);
@@ -56,11 +58,14 @@ class ProgramNotes final : public PipelineObserver {
     parser::ModalState state{};
   };
   std::uint64_t blocks_before_;
+  void tell_state();
+
   std::deque<parser::NumberedMessage> messages_;
   std::vector<ProgramMessage> reached_messages_;
   parser::ModalState read_state_;
   std::deque<Ahead> ahead_;
   std::optional<parser::ModalState> state_{};
+  bool is_at_end_ = false;
   std::string codes_;
   std::string words_;
   TimeLeft time_left_;

@@ -1,6 +1,7 @@
 // One line of an operator, with what programs and lines have left in force.
 #include <array>
 #include <string>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,27 @@ TEST(Line, BeginsBehindAProgramsEndWhereThatLeavesIt) {
   for (const char* code : {"G1 ", "G17", "G20", "G90", "G94", "G40", "G54", "M5", "M9"}) {
     EXPECT_NE(codes.find(code), std::string::npos) << code << " in " << codes;
   }
+}
+
+// Found with a client: behind a line without motion no code was shown.
+TEST(Line, ShowsWhatIsInForceThoughNothingMoved) {
+  LineShop shop;
+  shop.run_mdi("G21 G90 G0 X5");
+  for (const auto& [line, code] : {std::pair{"G55", "G55"},
+                                   {"G91", "G91"},
+                                   {"G20", "G20"},
+                                   {"M3 S600 M8", "M3"},
+                                   {"(MSG,hello)", "G91"},
+                                   {"M2", "M5"},
+                                   {"G64 P0.1", "G90"}}) {
+    shop.run_mdi(line);
+    const std::string codes = shop.codes();
+    EXPECT_NE((" " + codes + " ").find(" " + std::string(code) + " "), std::string::npos)
+        << line << ": " << codes;
+  }
+  ASSERT_TRUE(shop.controller.run_mdi("T1 M6"));
+  shop.tick_until(State::waiting);
+  EXPECT_NE(shop.codes().find("G90"), std::string::npos) << "nothing has come to its block yet";
 }
 
 // A sender may not know yet that its program was stopped.
