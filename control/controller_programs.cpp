@@ -200,7 +200,9 @@ void Controller::Impl::tell_failure_of_line() {
   const auto& found = kernel_->diagnostics();
   const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
   told_failure_ = true;
-  say(error->message + " [" + identifier(*error->page) + "]");
+  const std::string place =
+      error->file.empty() ? "" : error->file + ":" + std::to_string(error->source.line) + ": ";
+  say(place + error->message + " [" + identifier(*error->page) + "]");
 }
 
 void Controller::Impl::text_is_late() {
