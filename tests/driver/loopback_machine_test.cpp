@@ -2,6 +2,7 @@
 #include "programs/kerf/driver/loopback_machine.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -201,6 +202,53 @@ TEST_F(Loopback, Row68AReadingThatIsNotANumberNeverGetsThrough) {
   run(3);
   EXPECT_EQ(pair_.peer.told().back().call, MachineCall::write);
   EXPECT_NE(pair_.peer.table().read().axes[0], AxisState::on);  // told to be off
+}
+
+// Found with a machine that stopped and said no more than that: the run went on to its end.
+TEST_F(Loopback, Row70AnAxisThatIsOffWithoutAFaultIsOne) {
+  for (const AxisState axis_state : {AxisState::off, AxisState::stopping}) {
+    LoopbackPair pair;
+    pair.machine().enable({});
+    pair.peer.serve();
+    pair.machine().write(setpoint_at(1));
+    pair.peer.serve();
+    pair.machine().write(setpoint_at(2));
+    EXPECT_EQ(pair.machine().read().fault, DriveFault::none);
+    machine::MachineState answer = pair.peer.table().read();
+    answer.axes.fill(axis_state);
+    pair.peer.answer_with(2, answer);
+    pair.machine().write(setpoint_at(3));
+    EXPECT_EQ(pair.machine().read().fault, DriveFault::drive_tripped);
+    EXPECT_EQ(pair.machine().read().fault_axis, 0);
+  }
+}
+
+// Found with a machine whose latch was broken: the program went on with the number nan.
+TEST_F(Loopback, Row71AFigureThatIsNotANumberNeverGetsThrough) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const auto fault_of = [](const std::function<void(machine::MachineState&)>& spoil) {
+    LoopbackPair pair;
+    pair.machine().enable({});
+    pair.peer.serve();
+    pair.machine().write(setpoint_at(1));
+    machine::MachineState answer = pair.peer.table().read();
+    spoil(answer);
+    pair.peer.answer_with(1, answer);
+    pair.machine().write(setpoint_at(2));
+    return pair.machine().read().fault;
+  };
+  EXPECT_EQ(fault_of([](machine::MachineState& state) {
+              state.has_latched = true;
+              state.latched_mm[2] = kNan;
+            }),
+            DriveFault::bad_answer);
+  EXPECT_EQ(fault_of([](machine::MachineState& state) { state.outputs.spindle_rad_s = kNan; }),
+            DriveFault::bad_answer);
+  EXPECT_EQ(fault_of([](machine::MachineState& state) { state.outputs.analog[3] = kNan; }),
+            DriveFault::bad_answer);
+  EXPECT_EQ(fault_of([](machine::MachineState& state) { state.latched_mm[2] = kNan; }),
+            DriveFault::none)
+      << "there is no latch";
 }
 
 // 5 mm is the largest following error of the table; an axis goes 0.01 mm a tick.

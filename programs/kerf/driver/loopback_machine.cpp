@@ -18,13 +18,16 @@ namespace {
 
 constexpr int kAnswersATick = 16;
 
+// But for the axes' places.
 bool is_finite(const MachineState& state) noexcept {
-  const auto finite = [](double value) { return std::isfinite(value); };
-  const auto& errors = state.following_error_mm;
-  const auto& analog = state.inputs.analog;
-  return std::isfinite(state.contour_error_mm) &&
-         std::all_of(errors.begin(), errors.end(), finite) &&
-         std::all_of(analog.begin(), analog.end(), finite);
+  const auto all = [](const auto& values) {
+    return std::all_of(values.begin(), values.end(),
+                       [](double value) { return std::isfinite(value); });
+  };
+  return std::isfinite(state.contour_error_mm) && all(state.following_error_mm) &&
+         all(state.inputs.analog) && (!state.has_latched || all(state.latched_mm)) &&
+         std::isfinite(state.outputs.spindle_rad_s) &&
+         std::isfinite(state.outputs.spindle_angle_rad) && all(state.outputs.analog);
 }
 
 }  // namespace
@@ -121,7 +124,7 @@ void LoopbackMachine::tell(const ToldFrame& told) noexcept {
   if (pending_.is_full()) {
     hang_up(DriveFault::no_answer);
   } else if (socket_.send(told)) {
-    Told pending{.tick = told.setpoint.tick};
+    Told pending{.tick = told.setpoint.tick, .is_setpoint = told.call == MachineCall::write};
     if (told.call != MachineCall::disable) {
       pending.place_mm = told.setpoint.position_mm;
     }
@@ -172,6 +175,11 @@ void LoopbackMachine::take(const MachineState& answer) noexcept {
 }
 
 void LoopbackMachine::judge_place(const Told& told) noexcept {
+  for (std::size_t axis = 0; axis < max_following_error_mm_.size() && told.is_setpoint; ++axis) {
+    if (state_.fault == DriveFault::none && state_.axes[axis] != AxisState::on) {
+      stop({.why = DriveFault::drive_tripped, .axis = static_cast<std::int8_t>(axis)});
+    }
+  }
   for (std::size_t axis = 0; axis < max_following_error_mm_.size() && told.place_mm; ++axis) {
     const double error_mm = (*told.place_mm)[axis] - state_.actual_mm[axis];
     if (follows() && !(std::abs(error_mm) <= max_following_error_mm_[axis])) {

@@ -52,6 +52,7 @@ class LoopbackMachine final : public machine::Machine {
   struct Told {
     std::int64_t tick = 0;
     std::optional<Position> place_mm{};  // where the axes are to be
+    bool is_setpoint = false;            // to which they are on
     bool is_forgotten = false;
   };
   // What was told and not answered yet, the oldest first.
