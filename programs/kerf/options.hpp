@@ -58,7 +58,7 @@ struct Options {
   std::optional<Position> g54_mm;  // in place of the machine's
   std::string driver_name;         // of Subcommand::run; empty: that of the machine file
   DriverSettings driver;
-  std::uint64_t machine_checksum = 0;  // of the machine file, the tool table and --g54
+  std::uint64_t machine_checksum = 0;  // of the machine file, what it names, and --g54
   std::string record_file;             // of what the machine is told and answers; empty: none
   std::string replay_file;             // the machine answers as this one says; empty: it does not
   profiles::ProfileKind profile = profiles::kDefaultProfile;

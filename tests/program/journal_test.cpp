@@ -54,6 +54,21 @@ TEST(Checksum, IsCrc64Xz) {
   EXPECT_EQ(checksum.value(), 0x995DC9BBDF1939FAU);  // the check value of CRC-64/XZ
 }
 
+TEST_F(JournalOfARun, SaysWhatAnOperatorChangedUntilTheNextRunBegins) {
+  {
+    auto writer = JournalWriter::open(path_, kRun, 0);
+    ASSERT_TRUE(writer);
+    EXPECT_EQ(writer->change("a line was run"), 0);
+    EXPECT_EQ(writer->place(place(4)), 0);
+  }
+  const auto journal = read_journal_file(path_);
+  ASSERT_TRUE(journal);
+  EXPECT_EQ(journal->change, "a line was run");
+  EXPECT_EQ(journal->block(), 4U);
+  ASSERT_TRUE(JournalWriter::open(path_, kRun, journal->valid_bytes));
+  EXPECT_EQ(read_journal_file(path_)->change, "");
+}
+
 TEST_F(JournalOfARun, IsReadAsItWasWritten) {
   written();
   const auto journal = read_journal_file(path_);

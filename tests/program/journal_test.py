@@ -94,22 +94,38 @@ class Journal(Case):
             process.kill()
             return process.wait()
 
-    def test_does_not_go_on_where_the_program_by_itself_leads_elsewhere(self):
-        # G54 is moved by an operator's line; a tool comes with a length that nobody wrote down. Without either it goes on.
-        line = ({"command": "mdi", "line": "G10 L2 P1 X50"}, {"state": "idle"})
+    def test_does_not_go_on_where_an_operator_changed_what_the_program_does(self):
+        # Each leads elsewhere than the program by itself, the last two farther on than the run came. Without them it goes on.
+        def line(text):
+            return {"command": "mdi", "line": text}, {"state": "idle"}
+
         start = ({"command": "start"}, None)
         tool = ({"command": "tool", "number": 2, "length_mm": 30}, None)
-        way = "G1 X1 Z1\n" + "".join(f"X{k}\n" for k in range(2, 60)) + "M2\n"
-        moved, changed = "G21 G90 G61 F600\nG54\n" + way, "G21 G90 G61 F600\nG43 H2\n" + way
+        way = "G1 X1 Z1\n" + "".join(f"X{k}\n" for k in range(2, 60))
+        moved, changed = "G21 G90 G61 F600\nG54\n" + way + "M2\n", "G21 G90 G61 F600\nG43 H2\n" + way + "M2\n"
+        farther, passes = "G21 G90 G61 F600\n" + way + "G55\nX1\nM2\n", "G21 G90 G61 G1 F600\n" + "/M8\nX5\nX0\n" * 20 + "M2\n"
         # Held, the tool is on the path as long as nobody jogs.
         hold = ({"command": "hold"}, {"state": "held"})
-        for text, commands, off_mm in ((moved, [line, start], 50), (changed, [tool, start], 30), (moved, [line, start, hold], 50)):
-            with self.subTest(off_mm=off_mm):
-                stderr = self.kerf("run", self.killed_under_commands(text, commands), "--continue", status=1).stderr
-                found = re.search(r"([\d.]+) mm from where the program leads by itself", stderr)
-                self.assertTrue(found, stderr)
-                self.assertGreater(float(found[1]), 1)
-                self.assertLessEqual(float(found[1]), off_mm + 1e-3)
+        switched = ({"command": "block_delete", "switches": [1]}, None)
+        for text, commands, what, off_mm in (
+            (moved, [line("G10 L2 P1 X50"), start], "line was run", 50),
+            (changed, [tool, start], "tool's length", 30),
+            (moved, [line("G10 L2 P1 X50"), start, hold], "line was run", 50),
+            (farther, [line("G10 L2 P2 Z30"), start], "line was run", 0),
+            (passes, [switched, start], "block delete", 0),
+        ):
+            with self.subTest(what=what, off_mm=off_mm):
+                program = self.killed_under_commands(text, commands)
+                self.assertIn(what, self.kerf("run", program, "--continue", status=1).stderr)
+                # By the places alone, as where the machine's answers led elsewhere.
+                journal = pathlib.Path(program + ".journal")
+                journal.write_text("".join(record for record in journal.read_text().splitlines(True) if '"change"' not in record))
+                if off_mm > 0:
+                    stderr = self.kerf("run", program, "--continue", status=1).stderr
+                    found = re.search(r"([\d.]+) mm from where the program leads by itself", stderr)
+                    self.assertTrue(found, stderr)
+                    self.assertGreater(float(found[1]), 1)
+                    self.assertLessEqual(float(found[1]), off_mm + 1e-3)
         self.assertGreater(self.proposed(self.killed_under_commands(moved, [start])), 5)
         self.assertGreater(self.proposed(self.killed_under_commands(changed, [start])), 5)
 
@@ -157,7 +173,8 @@ class Journal(Case):
 
     def test_a_program_or_machine_that_was_changed_is_refused(self):
         table = (pathlib.Path(self.folder) / "table.toml")
-        table.write_text("[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 50000\n")
+        table.write_text("[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 50000\n[probe]\nheight_map = 'map.txt'\n")
+        surface = self.path("map.txt", "0 0 -1\n100 0 -1\n0 100 -1\n100 100 -1\n")
         called = self.path("way.ngc", "o<way> sub\nG1 X1\no<way> endsub\nM2\n")
         program = self.path("part.ngc", "G21 G90 G61 F3000\no<way> call\nG1 X60\nG1 X0\nG1 X60\nM2\n")
         journal = program + ".journal"
@@ -172,10 +189,11 @@ class Journal(Case):
         done = self.kerf(*words, "--g54", "50,0,0", "--json", status=3)
         self.assertIn("the machine is not that", done.stderr)
         self.assertEqual(json.loads(done.stdout)["exit_status"], 3)
-        for name, status, said in ((program, 1, "is not the program"), (called, 1, "is not the program"), (table, 3, "the machine is not that")):
+        for name, status, said in ((program, 1, "is not the program"), (called, 1, "is not the program"), (table, 3, "the machine is not that"),
+                                   (surface, 3, "the machine is not that")):
             path = pathlib.Path(name)
             text = path.read_text()
-            path.write_text(text.replace("G1 X", "G1  X") if name != table else text + "\n")
+            path.write_text(text.replace("G1 X", "G1  X") if said.endswith("program") else text + "\n")
             self.assertIn(said, self.kerf(*words, status=status).stderr)
             path.write_text(text)
         self.kerf(*words, status=2)

@@ -100,11 +100,13 @@ tl::expected<parser::ToolTable, MachineRefusal> read_tools(const std::string& pa
   return tl::unexpected(refusal);
 }
 
-tl::expected<HeightMap, MachineRefusal> read_surface(const std::string& path) {
+tl::expected<HeightMap, MachineRefusal> read_surface(const std::string& path, Checksum& checksum) {
   const auto text = read_part(path, kMaxSurfaceMiB);
   if (!text) {
     return tl::unexpected(text.error());
   }
+  checksum.add("\nheight map\n");
+  checksum.add(*text);
   auto map = read_height_map(*text);
   if (map) {
     return *std::move(map);
@@ -145,7 +147,7 @@ tl::expected<ChosenMachine, MachineRefusal> choose_machine(const MachineOrder& o
     settings.program.tools = *std::move(table);
   }
   if (!surface.empty()) {
-    auto map = read_surface(surface);
+    auto map = read_surface(surface, checksum);
     if (!map) {
       return tl::unexpected(map.error());
     }

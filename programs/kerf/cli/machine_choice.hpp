@@ -30,7 +30,7 @@ struct MachineOrder {
 struct ChosenMachine {
   MachineSettings settings;
   DriverSettings driver{};
-  std::uint64_t checksum = 0;  // of the texts of both files, and of G54 where the order has it
+  std::uint64_t checksum = 0;  // of the texts of the files, and of G54 where the order has it
 };
 
 // A tool table or height map that the machine file names is looked for beside it; `named` gets

@@ -111,7 +111,7 @@ tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
       return controller.set_optional_stop(of.is_on);
     }
     tl::expected<void, Refusal> operator()(const BlockDelete& of) const {
-      return controller.set_block_delete(of);
+      return by.note_change("block delete was switched", controller.set_block_delete(of));
     }
     tl::expected<void, Refusal> operator()(const FeedInputs& of) const {
       if (controller.set_feed_inputs(of)) {
@@ -120,10 +120,12 @@ tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
       return tl::unexpected(
           Refusal{.state = controller.status().state, .reason = "value is to be 0 to 1"});
     }
-    tl::expected<void, Refusal> operator()(const Tool& of) const { return controller.set_tool(of); }
+    tl::expected<void, Refusal> operator()(const Tool& of) const {
+      return by.note_change("an operator gave a tool's length", controller.set_tool(of));
+    }
     tl::expected<void, Refusal> operator()(const Jog& of) const { return controller.jog(of); }
     tl::expected<void, Refusal> operator()(const MdiLine& of) const {
-      return controller.run_mdi(of.text);
+      return by.note_change("an operator's line was run", controller.run_mdi(of.text));
     }
   };
   const auto* command = std::get_if<kerf::Command>(&order);
@@ -146,6 +148,14 @@ tl::expected<void, Refusal> Operator::note_stop(const tl::expected<void, Refusal
   const bool stops_program = (given && !stops_by_hand) || std::exchange(starts_, false);
   has_stopped_ = has_stopped_ || stops_program;
   return stops_program ? tl::expected<void, Refusal>{} : given;
+}
+
+tl::expected<void, Refusal> Operator::note_change(const char* what,
+                                                  tl::expected<void, Refusal> given) {
+  if (given && first_change_ == nullptr) {
+    first_change_ = what;
+  }
+  return given;
 }
 
 tl::expected<void, Refusal> Operator::execute(kerf::Command command) {

@@ -49,6 +49,9 @@ class Operator {
   // Any thread. Somebody stopped the program, or what comes before it.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
   [[nodiscard]] bool has_started() const noexcept { return has_started_; }
+  // Of what somebody changed the first that the program by itself knows nothing of, in words; null:
+  // nothing.
+  [[nodiscard]] const char* first_change() const noexcept { return first_change_; }
 
  private:
   tl::expected<void, Refusal> execute(const OperatorOrder& order);
@@ -61,6 +64,7 @@ class Operator {
   // The program, once the search for the home switches has come to its end.
   void start_behind_search();
   tl::expected<void, Refusal> note_stop(const tl::expected<void, Refusal>& given);
+  tl::expected<void, Refusal> note_change(const char* what, tl::expected<void, Refusal> given);
 
   Controller* controller_;
   PlanPace* pace_;
@@ -71,6 +75,7 @@ class Operator {
   std::atomic<bool> has_emergency_ = false;
   std::atomic<bool> has_started_ = false;
   std::atomic<bool> has_stopped_ = false;
+  std::atomic<const char*> first_change_ = nullptr;
   std::mutex mutex_;
   struct Asked {
     const void* asker = nullptr;

@@ -80,6 +80,8 @@ bool take(const Json& record, std::optional<Journal>& journal) {
     } else if (kind == "place" && journal) {
       journal->place = place_of(record);
       journal->on_path = is_on_path(journal->place->state) ? journal->place : journal->on_path;
+    } else if (kind == "change" && journal) {
+      journal->change = record.at("what");
     } else if (kind == "end" && journal) {
       journal->exit_status = record.at("exit_status").get<int>();
     } else {
@@ -159,6 +161,10 @@ int JournalWriter::place(const JournalledPlace& place) {
                         {"run_s", place.run_s},
                         {"position_mm", place.position_mm},
                         {"state", place.state}}));
+}
+
+int JournalWriter::change(std::string_view what) {
+  return write(line_of({{"record", "change"}, {"what", what}}));
 }
 
 int JournalWriter::end(ExitStatus status) {

@@ -41,6 +41,7 @@ struct Journal {
   std::optional<JournalledPlace> place{};  // its last one
   // The last one on the program's path: held, the tool may have been moved by hand.
   std::optional<JournalledPlace> on_path{};
+  std::string change{};              // Operator::first_change(); empty: there was none
   std::optional<int> exit_status{};  // of its end; nothing: it was not brought to one
   std::size_t valid_bytes = 0;       // what is behind them is torn
 
@@ -67,6 +68,7 @@ class JournalWriter {
 
   // 0, or the errno of the first record that could not be written.
   int place(const JournalledPlace& place);
+  int change(std::string_view what);
   int end(ExitStatus status);
 
  private:

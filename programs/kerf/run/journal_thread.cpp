@@ -23,8 +23,8 @@ JournalledPlace place_of(const ControllerStatus& status) {
 
 }  // namespace
 
-JournalThread::JournalThread(const Controller& controller, JournalWriter& writer)
-    : controller_(&controller), writer_(&writer), thread_([this] { work(); }) {}
+JournalThread::JournalThread(const Operator& by, JournalWriter& writer)
+    : by_(&by), writer_(&writer), thread_([this] { work(); }) {}
 
 JournalThread::~JournalThread() {
   over_.store(true);
@@ -34,9 +34,14 @@ JournalThread::~JournalThread() {
 void JournalThread::work() {
   Clock::time_point written = Clock::now();
   bool rested = true;
+  bool has_changed = false;
   int error = 0;
   while (!over_.load() && error == 0) {
-    const ControllerStatus status = controller_->status();
+    if (const char* const what = by_->first_change(); what != nullptr && !has_changed) {
+      has_changed = true;
+      error = writer_->change(what);
+    }
+    const ControllerStatus status = by_->status();
     const bool rests = status.setpoint.v_mm_s == 0.0 && status.setpoint.limit == Constraint::rest;
     const auto since = Clock::now() - written;
     if (status.programs > 0 && status.block > 0 &&

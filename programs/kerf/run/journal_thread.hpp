@@ -4,18 +4,18 @@
 #include <atomic>
 #include <thread>
 
-#include <kerf/controller.hpp>
-
+#include "programs/kerf/control/operator.hpp"
 #include "programs/kerf/run/journal.hpp"
 
 namespace kerf::program {
 
 // In a thread of its own, which sees what any thread may see: once a second and where the tool
-// comes to rest. A journal that cannot be written stops nothing.
+// comes to rest, and as soon as somebody has changed what the program does. A journal that cannot
+// be written stops nothing.
 class JournalThread {
  public:
   // Both outlive it.
-  JournalThread(const Controller& controller, JournalWriter& writer);
+  JournalThread(const Operator& by, JournalWriter& writer);
   // No more is written.
   ~JournalThread();
   JournalThread(const JournalThread&) = delete;
@@ -24,7 +24,7 @@ class JournalThread {
  private:
   void work();
 
-  const Controller* controller_;
+  const Operator* by_;
   JournalWriter* writer_;
   std::atomic<bool> over_{false};
   std::thread thread_;

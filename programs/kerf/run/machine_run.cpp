@@ -97,7 +97,7 @@ RunOutcome run_watched(MotionStage& stage, Controller& controller, Operator& by,
   FileReport& report = stage.report();
   std::optional<JournalThread> journal;
   if (order.journal != nullptr) {
-    journal.emplace(controller, *order.journal);
+    journal.emplace(by, *order.journal);
   }
   const MessagePrinter messages(controller, report.file);
   std::optional<Keys> keys;

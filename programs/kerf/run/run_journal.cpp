@@ -50,7 +50,11 @@ std::optional<RunJournal> RunJournal::prepare(
   } else if (before->run.machine != options.machine_checksum) {
     report.fail(ExitStatus::settings_error,
                 "the machine is not that of " + options.journal_file +
-                    ": the machine file, the tool table or --g54 was changed since");
+                    ": the machine file, its tool table or height map, or --g54 was changed since");
+  } else if (!before->change.empty()) {
+    report.fail(ExitStatus::program_error,
+                "in the run of " + options.journal_file + " " + before->change +
+                    ": what that led to is not known any more; --from-line starts nevertheless");
   } else {
     journal.before_ = *std::move(before);
     return journal;

@@ -81,7 +81,7 @@ class Choice {
             .knows_answers = order_.options.command != Subcommand::run ||
                              order_.options.driver.name == "simulated"};
   }
-  // What an operator commanded in that run, and what the machine answered, is not in the program.
+  // What the machine answered in that run is not in the program, nor a jog before it.
   // At the place where it began the tool is elsewhere anyway.
   bool leads_to(const Journal& journal) {
     const auto& place = journal.on_path;
@@ -97,8 +97,8 @@ class Choice {
     } else if (*off_mm > kOnPath_mm && !stop_requested()) {
       refuse(
           fmt::format("the run was at X{:.3f} Y{:.3f} Z{:.3f} in line {}, {:.3f} mm from where "
-                      "the program leads by itself: what an operator commanded or the machine "
-                      "answered counted, and is not known any more",
+                      "the program leads by itself: what the machine answered counted, and is not "
+                      "known any more",
                       place->position_mm[0], place->position_mm[1], place->position_mm[2],
                       place->line, *off_mm));
     }
