@@ -222,6 +222,15 @@ class View(Case):
         self.assertEqual(pathlib.Path(page).parent.parent, self.folder)
         self.assertEqual(len(plans_of(page)), 1)
 
+    def test_leaves_no_folder_where_there_is_no_page(self):
+        folder = self.folder / "temporary"
+        folder.mkdir()
+        env = {"TMPDIR": str(folder), "PATH": os.environ["PATH"]}
+        template = self.path("template.html", TEMPLATE)
+        self.kerf("view", "-q", self.path("none.ngc"), "--page", template, env=env, status=5)
+        self.kerf("view", "-q", self.path("square.ngc", SQUARE), "--page", self.path("other.html", "<html>"), env=env, status=5)
+        self.assertEqual(list(folder.iterdir()), [])
+
     def test_shows_the_page_in_the_desktops_browser(self):
         opener = self.path("xdg-open", f"#!/bin/sh\necho \"$1\" >'{self.folder}/asked'\nmv '{self.folder}/asked' '{self.folder}/opened'\n")
         os.chmod(opener, 0o755)

@@ -20,37 +20,48 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In a new folder of its own, which stays: the browser reads it when it likes.
-tl::expected<std::string, std::string> temporary_page(const std::string& program) {
+tl::expected<fs::path, std::string> temporary_folder() {
   std::error_code error;
   std::string folder = (fs::temp_directory_path(error) / "kerf-XXXXXX").string();
   if (error || ::mkdtemp(folder.data()) == nullptr) {
     return tl::unexpected(folder + ": " + error_text(error ? error.value() : errno));
   }
+  return folder;
+}
+
+std::string page_name(const std::string& program) {
   const std::string stem = fs::path(program).stem().string();
-  return (fs::path(folder) / ((program == "-" || stem.empty() ? "program" : stem) + ".html"))
-      .string();
+  return (program == "-" || stem.empty() ? "program" : stem) + ".html";
 }
 
 }  // namespace
+
+void PageMaker::RemoveIfEmpty::operator()(const fs::path* folder) const noexcept {
+  std::error_code is_not_empty;
+  fs::remove(*folder, is_not_empty);
+  delete folder;
+}
 
 tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
   auto page_template = read_page_template(options.page_template);
   if (!page_template) {
     return tl::unexpected(page_template.error());
   }
-  tl::expected<std::string, std::string> path = options.page_file;
+  std::string path = options.page_file;
+  Folder folder;
   if (options.command == Subcommand::view) {
-    path = temporary_page(options.files.front());
+    auto made = temporary_folder();
+    if (!made) {
+      return tl::unexpected(made.error());
+    }
+    folder.reset(new fs::path(*std::move(made)));
+    path = (*folder / page_name(options.files.front())).string();
   }
-  if (!path) {
-    return tl::unexpected(path.error());
-  }
-  auto file = PageFile::create(*path, *std::move(page_template));
+  auto file = PageFile::create(path, *std::move(page_template));
   if (!file) {
     return tl::unexpected(file.error());
   }
-  return PageMaker(*std::move(file), options);
+  return PageMaker(std::move(folder), *std::move(file), options);
 }
 
 void PageMaker::add(const FileReport& report, const MachineSettings& settings,

@@ -1,7 +1,10 @@
 // What `kerf report` and `kerf view` do beside running programs: the page.
 #pragma once
 
+#include <filesystem>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include <kerf/machine.hpp>
 #include <tl/expected.hpp>
@@ -25,8 +28,15 @@ class PageMaker {
   ExitStatus finish();
 
  private:
-  PageMaker(PageFile file, const Options& options) : file_(std::move(file)), options_(&options) {}
+  // Of `kerf view`. It stays with a page in it: the browser reads that when it likes.
+  struct RemoveIfEmpty {
+    void operator()(const std::filesystem::path* folder) const noexcept;
+  };
+  using Folder = std::unique_ptr<const std::filesystem::path, RemoveIfEmpty>;
+  PageMaker(Folder folder, PageFile file, const Options& options)
+      : folder_(std::move(folder)), file_(std::move(file)), options_(&options) {}
 
+  Folder folder_;  // before the file, which goes first
   PageFile file_;
   const Options* options_;
   bool has_source_ = false;
