@@ -2,6 +2,7 @@
 // program ends once the thread is let go.
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
 #include <pthread.h>
 #include <random>
 #include <string>
@@ -73,6 +74,12 @@ class PlanningThread {
   std::thread thread_;
 };
 
+// KERF_BLOCKED_RUNS of each kind, in place of the few that a test has time for.
+int runs_or(int few) {
+  const char* const text = std::getenv("KERF_BLOCKED_RUNS");
+  return text != nullptr ? std::atoi(text) : few;
+}
+
 void expect_rests_where_blocked(int runs, Operator by) {
   struct sigaction action {};
   action.sa_handler = block_thread;
@@ -116,12 +123,12 @@ void expect_rests_where_blocked(int runs, Operator by) {
 }
 
 TEST(BlockedPlanningThread, IsARestOnThePathWherever) {
-  expect_rests_where_blocked(40, Operator::none);
+  expect_rests_where_blocked(runs_or(40), Operator::none);
 }
 
 // Ticks come far faster than planning, so most plans that are to take over are refused.
 TEST(BlockedPlanningThread, IsARestOnThePathWhileTheFeedChanges) {
-  expect_rests_where_blocked(10, Operator::changes_the_feed);
+  expect_rests_where_blocked(runs_or(10), Operator::changes_the_feed);
 }
 
 }  // namespace
