@@ -39,6 +39,9 @@ tl::expected<void, Refusal> Controller::jog(const Jog& jog) {
 tl::expected<void, Refusal> Controller::set_tool(const Tool& tool) {
   return impl_->set_tool(tool);
 }
+void Controller::set_nominal(const NominalTime& time) {
+  impl_->set_nominal(time);
+}
 void Controller::feed(std::string_view text) {
   impl_->feed(text);
 }

@@ -59,6 +59,7 @@ tl::expected<void, Refusal> Controller::Impl::give(Command command) {
   if (next) {
     programs_.fetch_add(1);
     start(std::move(next), Runs::program);
+    options_.nominal.reset();
   } else {
     carry_out(command, state);
   }

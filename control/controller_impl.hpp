@@ -40,6 +40,7 @@ class KERF_LOCAL Controller::Impl {
   tl::expected<void, Refusal> run_mdi(std::string_view line);
   tl::expected<void, Refusal> jog(const Jog& jog);
   tl::expected<void, Refusal> set_tool(const Tool& tool);
+  void set_nominal(const NominalTime& time) { options_.nominal = time; }
 
   void feed(std::string_view text);
   void finish();
@@ -183,7 +184,7 @@ class KERF_LOCAL Controller::Impl {
   void tell_wait() noexcept;
 
   MachineSettings settings_;
-  KernelOptions options_;
+  KernelOptions options_;  // `nominal` is of the program that is started next
   control::StateWord state_;
   std::atomic<bool> has_failed_ = false;  // since the last reset
   std::atomic<std::uint64_t> programs_ = 0;

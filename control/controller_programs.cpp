@@ -94,7 +94,7 @@ KernelOptions Controller::Impl::options_from_here(Runs what) {
   if (what == Runs::line) {
     options.one_line = true;
     options.checks_travel = true;
-    options.nominal_s = 0.0;
+    options.nominal.reset();
   }
   options.start_mm = at.position_mm;
   options.start_extra_rad_mm = at.extra_rad_mm;

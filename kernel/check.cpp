@@ -12,6 +12,7 @@
 #include "kernel/least_time.hpp"
 #include "kernel/offset_followers.hpp"
 #include "kernel/program_path.hpp"
+#include "kernel/reader_options.hpp"
 #include "kernel/settings_check.hpp"
 #include "kernel/wait_check.hpp"
 #include "kernel/work_box.hpp"
@@ -49,7 +50,7 @@ class Checker {
       : waits_(options),
         envelope_(machine::envelope_of(settings.table)),
         extra_envelope_(settings.table.extra),
-        least_time_(settings.limits),
+        least_time_(settings.limits, event_time_settings(settings, options)),
         warnings_(settings.limits),
         followers_(settings, options) {}
 
@@ -131,8 +132,8 @@ class Checker {
 // The text alone.
 class SyntaxChecker {
  public:
-  SyntaxChecker(const MachineSettings& settings, const KernelOptions& /*options*/)
-      : least_time_(settings.limits) {}
+  SyntaxChecker(const MachineSettings& settings, const KernelOptions& options)
+      : least_time_(settings.limits, event_time_settings(settings, options)) {}
 
   void feed(std::string_view /*text*/) {}
   void finish_text() {}
@@ -222,7 +223,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
     }
   }
   checker.finish(report);
-  report.nominal_s = checker.least_time().nominal_s();
+  report.nominal = checker.least_time().nominal();
   report.length_mm = checker.least_time().length_mm();
   const std::vector<diagnostics::Diagnostic>& found = path.diagnostics();
   report.diagnostics.insert(report.diagnostics.end(), found.begin(), found.end());

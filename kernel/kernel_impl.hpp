@@ -32,7 +32,7 @@ class KERF_LOCAL Kernel::Impl {
   Impl(const MachineSettings& settings, const KernelOptions& options)
       : tells_(options.tells_operator),
         notes_({.limits = settings.limits,
-                .nominal_s = options.nominal_s,
+                .nominal = options.nominal,
                 .blocks_before =
                     options.start_in_program ? options.start_in_program->blocks_before : 0}),
         period_s_(settings.limits.period_s),

@@ -27,8 +27,9 @@ double LeastTime::fastest_mm_s(const lookahead::PlanLimits& limits) {
                              limits.axes[2].velocity_mm_s));
 }
 
-LeastTime::LeastTime(const lookahead::PlanLimits& limits)
-    : limits_(limits), fastest_mm_s_(fastest_mm_s(limits)) {}
+LeastTime::LeastTime(const lookahead::PlanLimits& limits,
+                     const lookahead::EventTime::Settings& events)
+    : limits_(limits), fastest_mm_s_(fastest_mm_s(limits)), event_time_(events) {}
 
 void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathSegment>& segments) {
   Way way;
@@ -41,26 +42,31 @@ void LeastTime::add(const parser::Move& move, const std::vector<smoothing::PathS
   }
   if (!segments.empty()) {
     count(move, way);
-  } else if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-    rest(dwell->duration_s);
+  } else {
+    rest(move);
   }
 }
 
 void LeastTime::add_straight(const parser::Move& move) {
-  if (const auto* dwell = std::get_if<parser::DwellMove>(&move.shape)) {
-    rest(dwell->duration_s);
-  } else if (const parser::Point* end = parser::end_mm(move)) {
+  if (const parser::Point* end = parser::end_mm(move)) {
     const double length_mm = (curves::vec(*end) - curves::vec(move.start_mm)).norm();
     const bool feeds = !move.rapid && move.feedrate_mm_s > 0.0 && length_mm > 0.0;
     count(move, {.length_mm = length_mm,
                  .time_s = std::max(length_mm / fastest_mm_s_,
                                     feeds ? length_mm / move.feedrate_mm_s : 0.0)});
+  } else {
+    rest(move);
   }
 }
 
-void LeastTime::rest(double duration_s) {
-  seconds_ += duration_s;
-  nominal_s_ += duration_s;
+// A machine that is asked may answer at once, and an operator may be faster than the machine file.
+void LeastTime::rest(const parser::Move& pause) {
+  if (const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape)) {
+    seconds_ += dwell->duration_s;
+    nominal_.rest_s += dwell->assumed ? 0.0 : dwell->duration_s;
+  } else if (const auto* event = std::get_if<parser::EventMove>(&pause.shape)) {
+    nominal_.rest_s += event_time_.next_s(*event);
+  }
 }
 
 void LeastTime::count(const parser::Move& move, Way way) {
@@ -75,7 +81,7 @@ void LeastTime::count(const parser::Move& move, Way way) {
     share = std::max(1.0 - saved_mm / way.length_mm, kBlendedShare);
   }
   seconds_ += share * way.time_s;
-  nominal_s_ += way.time_s;
+  nominal_.motion_s += way.time_s;
   length_mm_ += way.length_mm;
 }
 

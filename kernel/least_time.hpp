@@ -3,6 +3,9 @@
 
 #include <vector>
 
+#include <kerf/kernel.hpp>
+
+#include "lookahead/event_time.hpp"
 #include "lookahead/path/limits.hpp"
 #include "parser/moves/move.hpp"
 #include "smoothing/path_segment.hpp"
@@ -13,7 +16,8 @@ namespace kerf {
 // shorten the path, so under G64 only a share of the length counts and the bound is weaker.
 class LeastTime {
  public:
-  explicit LeastTime(const lookahead::PlanLimits& limits);
+  explicit LeastTime(const lookahead::PlanLimits& limits,
+                     const lookahead::EventTime::Settings& events = {});
   // With X, Y and Z together.
   [[nodiscard]] static double fastest_mm_s(const lookahead::PlanLimits& limits);
 
@@ -23,8 +27,8 @@ class LeastTime {
   void add_straight(const parser::Move& move);
 
   [[nodiscard]] double seconds() const noexcept { return seconds_; }
-  // The same for the path as it is programmed.
-  [[nodiscard]] double nominal_s() const noexcept { return nominal_s_; }
+  // Of the path as it is programmed, with what the machine takes for events.
+  [[nodiscard]] const NominalTime& nominal() const noexcept { return nominal_; }
   // Of the path as it is programmed.
   [[nodiscard]] double length_mm() const noexcept { return length_mm_; }
 
@@ -34,12 +38,13 @@ class LeastTime {
     double time_s = 0.0;
   };
   void count(const parser::Move& move, Way way);
-  void rest(double duration_s);
+  void rest(const parser::Move& pause);
 
   lookahead::PlanLimits limits_;
   double fastest_mm_s_;
   double seconds_ = 0.0;
-  double nominal_s_ = 0.0;
+  lookahead::EventTime event_time_;
+  NominalTime nominal_{};
   double length_mm_ = 0.0;
 };
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "kernel/plan_notes.hpp"
+#include "kernel/reader_options.hpp"
 #include "lookahead/planner.hpp"
 
 namespace kerf {
@@ -28,9 +29,7 @@ Pipeline::Pipeline(const Order& order)
                 .longest_phase_s = order.longest_phase_s,
                 .waits = order.options.waits && order.may_hold,
                 .optional_stop = order.options.optional_stop,
-                .tool_change_s = order.settings.program.tool_change_s,
-                .spindle_start_s = order.settings.program.spindle_start_s,
-                .spindle_turns = order.options.start_outputs.spindle_rad_s != 0.0,
+                .event_time = event_time_settings(order.settings, order.options),
                 .may_hold = order.may_hold,
                 .observer = order.options.plan_log
                                 ? std::make_shared<const PlanNotes>(order.options.plan_log)
@@ -69,6 +68,9 @@ bool Pipeline::take_next() {
       check_.judge(path().deviations().worst);
       planner_.finish(path().line());
       finished_ = true;
+      if (observer_ != nullptr) {
+        observer_->ended();
+      }
     } else if (const auto* pause = std::get_if<parser::Move>(&*item)) {
       push_rest(*pause);
     }
@@ -83,10 +85,9 @@ bool Pipeline::take_next() {
 
 void Pipeline::push_rest(const parser::Move& pause) {
   note_question(pause);
-  lookahead::push_pause(pause, planner_);
+  const lookahead::RestTime time = lookahead::push_pause(pause, planner_);
   if (observer_ != nullptr) {
-    const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape);
-    observer_->rest(dwell != nullptr ? dwell->duration_s : 0.0);
+    observer_->rest(time);
   }
 }
 

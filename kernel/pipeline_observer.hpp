@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lookahead/emit/emitter.hpp"
+#include "lookahead/event_time.hpp"
 #include "parser/program_reader.hpp"
 
 namespace kerf {
@@ -19,10 +20,12 @@ class PipelineObserver {
   virtual void read(const parser::ProgramReader& /*reader*/) {}
   // The move was read.
   virtual void move(const parser::Move& /*move*/) {}
-  // A dwell or event became a rest in the plan; of so long, as the program says.
-  virtual void rest(double /*duration_s*/) {}
+  // A dwell or event became a rest in the plan.
+  virtual void rest(const lookahead::RestTime& /*time*/) {}
   // Goes to the plan.
   virtual void pushed(const lookahead::Block& /*block*/) {}
+  // All of the program went there.
+  virtual void ended() {}
   // All that was planned at once.
   virtual void planned(const lookahead::Outbox& /*outbox*/) {}
 };

@@ -19,16 +19,17 @@ class ProgramNotes final : public PipelineObserver {
  public:
   struct Settings {
     const lookahead::PlanLimits& limits;  // these two as of TimeLeft
-    double nominal_s = 0.0;
+    std::optional<NominalTime> nominal{};
     std::uint64_t blocks_before = 0;  // are not run, and say nothing
   };
   explicit ProgramNotes(const Settings& settings)
-      : blocks_before_(settings.blocks_before), time_left_(settings.limits, settings.nominal_s) {}
+      : blocks_before_(settings.blocks_before), time_left_(settings.limits, settings.nominal) {}
 
   void read(const parser::ProgramReader& reader) override;
   void move(const parser::Move& move) override;
-  void rest(double duration_s) override { time_left_.push_rest(duration_s); }
+  void rest(const lookahead::RestTime& time) override { time_left_.push_rest(time); }
   void pushed(const lookahead::Block& block) override { time_left_.push(block); }
+  void ended() override { time_left_.end(); }
 
   // The tool has come to this block (parser::Move::block), or to the program's end, which leaves
   // that.
@@ -57,9 +58,9 @@ class ProgramNotes final : public PipelineObserver {
     std::uint64_t block = 0;
     parser::ModalState state{};
   };
-  std::uint64_t blocks_before_;
   void tell_state();
 
+  std::uint64_t blocks_before_;
   std::deque<parser::NumberedMessage> messages_;
   std::vector<ProgramMessage> reached_messages_;
   parser::ModalState read_state_;

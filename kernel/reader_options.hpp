@@ -1,5 +1,5 @@
-// The reader's options, made in one place: the check, the plan and the run must read the same
-// program.
+// The reader's options and those of what events take, made in one place: the check, the plan and
+// the run must read the same program.
 #pragma once
 
 #include <memory>
@@ -9,6 +9,7 @@
 
 #include "kernel/program_state.hpp"
 #include "kernel/simulated_answers.hpp"
+#include "lookahead/event_time.hpp"
 #include "parser/flow/reader_options.hpp"
 
 namespace kerf {
@@ -44,6 +45,13 @@ inline parser::ReaderOptions reader_options(const MachineSettings& settings,
           .one_line = options.one_line,
           .subprograms = options.subprograms,
           .keeps_messages = options.tells_operator};
+}
+
+inline lookahead::EventTime::Settings event_time_settings(const MachineSettings& settings,
+                                                          const KernelOptions& options) {
+  return {.tool_change_s = settings.program.tool_change_s,
+          .spindle_start_s = settings.program.spindle_start_s,
+          .spindle_turns = options.start_outputs.spindle_rad_s != 0.0};
 }
 
 }  // namespace kerf

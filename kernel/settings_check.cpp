@@ -59,8 +59,12 @@ Result check_options(const KernelOptions& options) {
         return check_option({"horizon_s", 1e-5, 3600.0, nullptr}, options.horizon_s);
       })
       .and_then([&] {
-        return check_option({"nominal_s", 0.0, std::numeric_limits<double>::max(), nullptr},
-                            options.nominal_s);
+        const NominalTime nominal = options.nominal.value_or(NominalTime{});
+        constexpr double kMax_s = std::numeric_limits<double>::max();
+        return check_option({"nominal.motion_s", 0.0, kMax_s, nullptr}, nominal.motion_s)
+            .and_then([&] {
+              return check_option({"nominal.rest_s", 0.0, kMax_s, nullptr}, nominal.rest_s);
+            });
       })
       .and_then([&] { return check_start(options); });
 }

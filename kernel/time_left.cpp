@@ -14,10 +14,8 @@ constexpr double kJudgedFrom_s = 1.0;
 
 }  // namespace
 
-TimeLeft::TimeLeft(const lookahead::PlanLimits& limits, double nominal_s)
-    : fastest_mm_s_(LeastTime::fastest_mm_s(limits)),
-      extra_(limits.extra),
-      whole_nominal_s_(nominal_s) {}
+TimeLeft::TimeLeft(const lookahead::PlanLimits& limits, const std::optional<NominalTime>& nominal)
+    : fastest_mm_s_(LeastTime::fastest_mm_s(limits)), extra_(limits.extra), not_pushed_(nominal) {}
 
 // As LeastTime counts it.
 void TimeLeft::push(const lookahead::Block& block) {
@@ -27,8 +25,11 @@ void TimeLeft::push(const lookahead::Block& block) {
     const double way = std::abs(block.extra.end_rad_mm[axis] - block.extra.begin_rad_mm[axis]);
     nominal_s = std::max(nominal_s, way / extra_[axis].velocity_mm_s);
   }
+  if (not_pushed_) {
+    not_pushed_->motion_s -= nominal_s;
+  }
   if (block.extra.alone) {
-    push_rest(nominal_s);
+    push_standing(nominal_s);
     return;
   }
   pushed_.path_mm += block.length_mm;
@@ -36,7 +37,20 @@ void TimeLeft::push(const lookahead::Block& block) {
   marks_.push_back(pushed_);
 }
 
-void TimeLeft::push_rest(double duration_s) {
+void TimeLeft::push_rest(const lookahead::RestTime& time) {
+  if (not_pushed_) {
+    not_pushed_->rest_s -= time.expected_s;
+  }
+  push_standing(time.planned_s);
+}
+
+void TimeLeft::end() {
+  if (not_pushed_) {
+    not_pushed_ = NominalTime{};
+  }
+}
+
+void TimeLeft::push_standing(double duration_s) {
   pushed_.rest_s += duration_s;
   marks_.push_back(pushed_);
 }
@@ -79,13 +93,15 @@ void TimeLeft::follow(const ToolPlace& tool) {
 }
 
 std::optional<double> TimeLeft::left_s() const {
-  if (!(whole_nominal_s_ > 0.0) || !(tool_.feed_override > 0.0)) {
+  if (!not_pushed_ || !(tool_.feed_override > 0.0)) {
     return std::nullopt;
   }
-  const double motion_s = std::max(whole_nominal_s_ - pushed_.rest_s - done_nominal_s_, 0.0);
+  const double motion_s =
+      std::max(not_pushed_->motion_s + pushed_.nominal_s - done_nominal_s_, 0.0);
   const bool is_judged = in_motion_s_ > kJudgedFrom_s && expected_s_ > 0.0;
   const double pace = (is_judged ? in_motion_s_ / expected_s_ : 1.0) / tool_.feed_override;
-  return pace * motion_s + rest_to_run_s_ + pushed_.rest_s - behind_.rest_s;
+  const double pushed_rest_s = rest_to_run_s_ + pushed_.rest_s - behind_.rest_s;
+  return pace * motion_s + pushed_rest_s + std::max(not_pushed_->rest_s, 0.0);
 }
 
 }  // namespace kerf

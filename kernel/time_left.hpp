@@ -5,23 +5,28 @@
 #include <deque>
 #include <optional>
 
+#include <kerf/kernel.hpp>
+
+#include "lookahead/event_time.hpp"
 #include "lookahead/path/block.hpp"
 
 namespace kerf {
 
 // The idea: a program's nominal time, length over feedrate, is known from its check, and so is the
 // nominal time of the path that the tool has behind it. What the machine took for that, beside what
-// it would take at the feedrate, is what it will take for the rest. Dwells take what they say.
-// Weakness: a program whose end is of another kind than its begin is judged by the begin, and
-// dwells that are not read yet count as motion.
+// it would take at the feedrate, is what it will take for the rest. Dwells take what they say, and
+// what the machine does while the tool rests takes what its file says.
+// Weakness: a program whose end is of another kind than its begin is judged by the begin.
 class TimeLeft {
  public:
-  // Of the whole program (CheckReport::nominal_s); 0: nobody knows.
-  TimeLeft(const lookahead::PlanLimits& limits, double nominal_s);
+  // Of the whole program (CheckReport::nominal); nothing: nobody knows.
+  TimeLeft(const lookahead::PlanLimits& limits, const std::optional<NominalTime>& nominal);
 
   // In program order, as the path is run.
   void push(const lookahead::Block& block);
-  void push_rest(double duration_s);
+  void push_rest(const lookahead::RestTime& time);
+  // Nothing follows: by blends, and by what the machine answers, it may be less than was expected.
+  void end();
 
   // What was pushed ends here, where the tool rests: a probe has found what it looked for.
   void end_path_at(double path_mm);
@@ -42,10 +47,11 @@ class TimeLeft {
     double rest_s = 0.0;  // of dwells, and of axes that turn alone: the path stands still
   };
   void reach(double path_mm);
+  void push_standing(double duration_s);
 
   double fastest_mm_s_;
   std::array<MotionLimits, kAuxiliaryAxes> extra_;
-  double whole_nominal_s_;
+  std::optional<NominalTime> not_pushed_;
   std::deque<Mark> marks_;  // ends of what lies ahead of the tool
   Mark pushed_{};           // the end of all
   Mark behind_{};           // the latest that the tool has passed

@@ -41,7 +41,7 @@ Planner::Planner(const PlannerSettings& settings)
       scan_for_(scan_for_plan(settings)),
       schedule_(new_schedule()),
       rest_part_s_(rest_part_s(settings)),
-      spindle_turns_(settings.spindle_turns),
+      event_time_(settings.event_time),
       emitter_(settings.limits.period_s, settings.may_hold) {
   assert(settings.window_blocks >= 2 && settings.window_cells >= 100);
 }
@@ -171,25 +171,9 @@ void Planner::push_change_at_rest(const interp::OutputChange& change, const Rest
                    .change = change});
 }
 
-double Planner::duration_s(const parser::EventMove& event) noexcept {
-  using parser::EventKind;
-  switch (event.kind) {
-    case EventKind::spindle_cw:
-    case EventKind::spindle_ccw:
-      return std::exchange(spindle_turns_, event.value != 0.0) || !spindle_turns_ || event.taps
-                 ? 0.0
-                 : settings_.spindle_start_s;
-    case EventKind::spindle_off:
-    case EventKind::spindle_orient:
-    case EventKind::program_end:
-      spindle_turns_ = false;
-      return 0.0;
-    case EventKind::tool_change:
-      spindle_turns_ = false;
-      return waits_at(event.kind) ? 0.0 : settings_.tool_change_s;
-    default:
-      return 0.0;
-  }
+RestTime Planner::rest_time(const parser::EventMove& event) noexcept {
+  const double time_s = event_time_.next_s(event);
+  return {.planned_s = waits_at(event.kind) ? 0.0 : time_s, .expected_s = time_s};
 }
 
 void Planner::note_wait(const PlanWait& wait) noexcept {

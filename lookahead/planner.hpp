@@ -13,6 +13,7 @@
 #include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/emit/emitter.hpp"
 #include "lookahead/emit/schedule.hpp"
+#include "lookahead/event_time.hpp"
 #include "lookahead/optimum/optimum_schedule.hpp"
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/feed_override.hpp"
@@ -36,10 +37,7 @@ struct PlannerSettings {
   // M0, M60, M6 and, where optional stops are on, M1 wait for resume(). Needs may_hold.
   bool waits = false;
   bool optional_stop = false;
-  // How long an M6 that does not wait takes, and the start of the spindle.
-  double tool_change_s = 0.0;
-  double spindle_start_s = 0.0;
-  bool spindle_turns = false;  // at the begin
+  EventTime::Settings event_time{};
   bool may_hold = false;  // what was emitted is kept until it is run, so that it can be taken back
   std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
 };
@@ -89,8 +87,8 @@ class Planner {
   // The program ends, at rest, after what has been pushed. Precondition: wants_block().
   void finish(std::uint32_t line);
 
-  // How long the machine takes for the event, where nobody is asked.
-  [[nodiscard]] double duration_s(const parser::EventMove& event) noexcept;
+  // EventTime::next_s, 0 where it waits for an answer.
+  [[nodiscard]] RestTime rest_time(const parser::EventMove& event) noexcept;
   void note_wait(const PlanWait& wait) noexcept;
   [[nodiscard]] const PlanWaits& waits_pushed() const noexcept { return waits_pushed_; }
 
@@ -297,8 +295,8 @@ class Planner {
   bool asks_machine_ = false;  // what it waits for, if it does
   std::uint32_t waits_emitted_ = 0;
   PlanWaits waits_pushed_{};
-  bool spindle_turns_;  // behind what was pushed
-  bool stops_ = false;  // at the rest of the plan that is not settled yet
+  EventTime event_time_;  // behind what was pushed
+  bool stops_ = false;    // at the rest of the plan that is not settled yet
   // The place in the program of what was taken last, or the tool is on; nothing: none, or it
   // was taken back.
   struct ProgramPlace {
@@ -340,7 +338,7 @@ class Planner {
 
 // Precondition of both: planner.wants_block().
 // A dwell or an event becomes a rest, or a change with the next motion.
-void push_pause(const parser::Move& pause, Planner& planner);
+RestTime push_pause(const parser::Move& pause, Planner& planner);
 // changes: those that take effect at the first tick on the block.
 void push_block(Block block, const std::vector<parser::EventMove>& changes, Planner& planner);
 

@@ -94,20 +94,20 @@ std::optional<PlanWait::Kind> wait_kind(parser::EventKind kind) {
 }
 
 // M1 counts where it would stop, a spindle where its start takes time.
-double note_wait(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
-  const double duration_s = planner.duration_s(event);
+RestTime note_wait(const parser::EventMove& event, std::uint32_t line, Planner& planner) {
+  const RestTime time = planner.rest_time(event);
   const auto kind = wait_kind(event.kind);
   const bool counts = kind == PlanWait::Kind::optional_stop   ? planner.stops_optionally()
-                      : kind == PlanWait::Kind::spindle_start ? duration_s > 0.0
+                      : kind == PlanWait::Kind::spindle_start ? time.planned_s > 0.0
                                                               : kind.has_value();
   if (counts) {
     const bool changes_tool = kind == PlanWait::Kind::tool_change;
     planner.note_wait({.line = line,
                        .kind = *kind,
                        .tool = changes_tool ? static_cast<std::int32_t>(event.value) : 0,
-                       .duration_s = duration_s});
+                       .duration_s = time.planned_s});
   }
-  return duration_s;
+  return time;
 }
 
 WaitCause cause_of(parser::EventKind kind) {
@@ -125,9 +125,10 @@ WaitCause cause_of(parser::EventKind kind) {
   }
 }
 
-void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Planner& planner) {
+RestTime push_event(const parser::EventMove& event, const Planner::RestPlace& at,
+                    Planner& planner) {
   const auto change = output_change_of(event);
-  const double duration_s = note_wait(event, at.line, planner);
+  const RestTime time = note_wait(event, at.line, planner);
   if (event.kind == parser::EventKind::ask_machine) {
     planner.push_machine_wait(at);
   } else if (planner.waits_at(event.kind)) {
@@ -139,25 +140,28 @@ void push_event(const parser::EventMove& event, const Planner::RestPlace& at, Pl
   } else if (parser::is_at_motion(event.kind)) {
     planner.push_change_at_motion(*change);
   } else {
-    planner.push_change_at_rest(*change, at, duration_s);
+    planner.push_change_at_rest(*change, at, time.planned_s);
   }
+  return time;
 }
 
 }  // namespace
 
-void push_pause(const parser::Move& pause, Planner& planner) {
+RestTime push_pause(const parser::Move& pause, Planner& planner) {
   const Planner::RestPlace at{
       .line = pause.source.program_line(), .run_block = pause.block, .follows = pause.follows};
   if (const auto* dwell = std::get_if<parser::DwellMove>(&pause.shape)) {
     planner.push_rest(dwell->duration_s, at);
-  } else if (const auto* event = std::get_if<parser::EventMove>(&pause.shape)) {
-    push_event(*event, at, planner);
+    return {.planned_s = dwell->duration_s, .expected_s = dwell->assumed ? 0.0 : dwell->duration_s};
   }
+  const auto* event = std::get_if<parser::EventMove>(&pause.shape);
+  return event != nullptr ? push_event(*event, at, planner) : RestTime{};
 }
 
 void push_block(Block block, const std::vector<parser::EventMove>& changes, Planner& planner) {
   for (const parser::EventMove& change : changes) {
-    push_event(change, {.line = block.line, .run_block = block.run_block}, planner);
+    static_cast<void>(
+        push_event(change, {.line = block.line, .run_block = block.run_block}, planner));
   }
   planner.push(std::move(block));
 }

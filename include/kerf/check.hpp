@@ -58,8 +58,7 @@ struct KERF_API CheckReport {
   WorkExtents work_extents{};
   OffsetExtents offset_extents{};
   bool in_inches = false;  ///< G20 was in force at the first motion
-  /// The moves' length over their feedrates, with dwells: what KernelOptions::nominal_s wants.
-  double nominal_s = 0.0;
+  NominalTime nominal{};   ///< what KernelOptions::nominal wants
   double length_mm = 0.0;  ///< of all moves as they are programmed; where only A, B, C turn, in rad
 
   /// There is an error in `diagnostics`. limit_faults do not count: look at both.

@@ -189,6 +189,10 @@ class KERF_API Controller {
   /// the tools as they were (Kernel::start_counts_on_tools()).
   tl::expected<void, Refusal> set_tool(const Tool& tool);
 
+  /// CheckReport::nominal of the program that is started next, for its left_s. The options say that
+  /// of the first; where neither does, nobody knows.
+  void set_nominal(const NominalTime& time);
+
   /// To the present program; where there is none, as while an operator's line runs, text is
   /// dropped.
   void feed(std::string_view text);

@@ -56,6 +56,12 @@ struct StartInProgram {
   bool waits = false;               ///< for resume(), before the tool leaves its place
 };
 
+/// How long a program takes by its text, before any override.
+struct NominalTime {
+  double motion_s = 0.0;  ///< length over feedrate
+  double rest_s = 0.0;    ///< dwells, tool changes and starts of the spindle
+};
+
 /// How one program is run.
 struct KernelOptions {
   ProfileChoice profile{};
@@ -81,7 +87,8 @@ struct KernelOptions {
   bool reads_apart = false;
   /// take_messages(), active_codes(), active_words() and left_s() have something to say.
   bool tells_operator = false;
-  double nominal_s = 0.0;      ///< CheckReport::nominal_s of the program, for left_s(); 0: unknown
+  /// CheckReport::nominal of the program, for left_s(); nothing: nobody knows.
+  std::optional<NominalTime> nominal{};
   bool checks_travel = false;  ///< a block that leaves the travel is an error
   /// Where the tool is, in machine coordinates, each within +-1e6.
   std::array<double, 3> start_mm{};

@@ -50,6 +50,7 @@ struct NurbsMove {
 
 struct DwellMove {
   double duration_s = 0.0;
+  bool assumed = false;  // of an answer of the machine, which was not asked
 };
 
 enum class EventKind : std::uint8_t {

@@ -53,7 +53,7 @@ void assume_input(const RunningBlock& at, ModalState& state, const AssumedMachin
   }
   if (in_vain) {
     state.input = -1.0;
-    at.push_move(state).shape = DwellMove{asked.max_wait_s};
+    at.push_move(state).shape = DwellMove{.duration_s = asked.max_wait_s, .assumed = true};
   } else if (asked.kind == Kind::analog) {
     state.input = machine != nullptr ? machine->analog(channel) : 0.0;
   } else {

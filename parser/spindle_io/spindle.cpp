@@ -139,7 +139,8 @@ std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, std::uin
   const double time_s = machine.assumed != nullptr ? machine.assumed->spindle_time_s(
                                                          change.from_per_min, change.to_per_min)
                                                    : 0.0;
-  return time_s > 0.0 ? std::optional<SpindleWait>(DwellMove{time_s}) : std::nullopt;
+  return time_s > 0.0 ? std::optional<SpindleWait>(DwellMove{.duration_s = time_s, .assumed = true})
+                      : std::nullopt;
 }
 
 void SpindleDrive::turn_on(const MoveSink& at, const ModalState& state,

@@ -1,5 +1,6 @@
 // Programs one after the other, what an operator commands meanwhile, and how they end.
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -30,6 +31,28 @@ TEST(Controller, RunsASecondProgramLikeTheFirst) {
   EXPECT_EQ(shop.controller.status().state, State::idle);
   EXPECT_EQ(shop.controller.status().programs, 2U);
   EXPECT_NEAR(shop.controller.status().run_s, static_cast<double>(alone.size()) * 1e-3, 1e-9);
+}
+
+// Found by reading: it was that of the first.
+TEST(Controller, SaysTheTimeLeftOfTheProgramThatRuns) {
+  Controller controller(mill(), {.nominal = NominalTime{.motion_s = 0.2}});
+  ASSERT_TRUE(controller.give(Command::enable));
+  const auto left_at_begin_s = [&](const std::string& text) {
+    EXPECT_TRUE(controller.give(Command::start));
+    controller.feed(text);
+    controller.finish();
+    controller.plan();
+    const std::optional<double> left_s = controller.status().left_s;
+    Setpoint setpoint;
+    for (int i = 0; i < 20'000 && controller.tick(setpoint) != State::idle; ++i) {
+      controller.plan();
+    }
+    return left_s;
+  };
+  EXPECT_NEAR(left_at_begin_s("G21 G90\nG1 X10 F3000\nM2\n").value_or(0.0), 0.2, 1e-9);
+  EXPECT_FALSE(left_at_begin_s("G1 X110 F3000\nM2\n"));
+  controller.set_nominal({.motion_s = 2.2, .rest_s = 1.0});
+  EXPECT_NEAR(left_at_begin_s("G1 X0 F3000\nG4 P1\nM2\n").value_or(0.0), 3.2, 1e-9);
 }
 
 TEST(Controller, HoldsAndGoesOnToTheSameEnd) {

@@ -15,18 +15,22 @@
 namespace kerf::test {
 namespace {
 
-double least_time_s(const std::string& text, const MachineSettings& settings) {
+LeastTime least_time(const std::string& text, const MachineSettings& settings) {
   parser::ProgramReader reader(reader_options(settings, {}));
   reader.feed(text);
   reader.finish();
-  LeastTime time(settings.limits);
+  LeastTime time(settings.limits, event_time_settings(settings, {}));
   std::vector<smoothing::PathSegment> parts;
   for (parser::Move move; reader.next(move); parts.clear()) {
     EXPECT_TRUE(smoothing::append_segments(move, parts).has_value());
     time.add(move, parts);
   }
   EXPECT_FALSE(reader.has_errors());
-  return time.seconds();
+  return time;
+}
+
+double least_time_s(const std::string& text, const MachineSettings& settings) {
+  return least_time(text, settings).seconds();
 }
 
 double planned_time_s(const std::string& text, const MachineSettings& settings) {
@@ -45,6 +49,19 @@ TEST(LeastTime, IsLengthOverFeedrateAndTheDwells) {
   EXPECT_DOUBLE_EQ(
       least_time_s("G21 G90 G61\nG1 X10 F60\nG4 P2.5\nM0\nG3 X-10 I-10 F120\nM2\n", settings),
       10.0 + 2.5 + 3.14159265358979323846 * 10.0 / 2.0);
+}
+
+// An operator may be faster with a tool, and M66 may be answered at once.
+TEST(LeastTime, KnowsWhatTheMachineFileSaysOfRestsAndDoesNotCountOnIt) {
+  MachineSettings settings = default_machine();
+  settings.program.tool_change_s = 7.0;
+  settings.program.spindle_start_s = 3.0;
+  const LeastTime time = least_time(
+      "G21 G90 G61\nS1000 M3\nS2000\nG1 X10 F60\nG4 P2.5\nT1 M6\nM3\nM66 P1 L3 Q60\nX0\nM2\n",
+      settings);
+  EXPECT_DOUBLE_EQ(time.nominal().motion_s, 20.0);
+  EXPECT_DOUBLE_EQ(time.nominal().rest_s, 3.0 + 2.5 + 7.0 + 3.0);
+  EXPECT_DOUBLE_EQ(time.seconds(), 20.0 + 2.5 + 60.0);
 }
 
 TEST(LeastTime, OfARapidIsThatOfTheMachine) {

@@ -158,8 +158,8 @@ std::vector<double> said_left_s(const std::string& text,
   const auto whole_text = [&]() -> std::string_view {
     return std::exchange(read, true) ? std::string_view() : std::string_view(text);
   };
-  Kernel kernel(
-      machine, {.tells_operator = true, .nominal_s = check_program(whole_text, machine).nominal_s});
+  Kernel kernel(machine,
+                {.tells_operator = true, .nominal = check_program(whole_text, machine).nominal});
   kernel.feed(text);
   kernel.finish();
   std::vector<double> said_s;
@@ -199,6 +199,43 @@ TEST(ProgramNotes, KnowTheTimeThatIsLeftInADwellAndBehindIt) {
   }
 }
 
+// Found with a client: the start of a spindle was taken for slow motion, and of 31 s 355 were said.
+TEST(ProgramNotes, KnowTheTimeThatIsLeftWhereSpindleAndToolChangeTakeTime) {
+  MachineSettings machine = default_machine();
+  machine.program.spindle_start_s = 5.0;
+  machine.program.tool_change_s = 8.0;
+  const std::vector<double> said_s = said_left_s(
+      "G21 G90 G61\nS1000 M3\nG1 X200 F3000\nX0\nT1 M6\nM3\nG1 X200\nM2\n",
+      [](Kernel& /*kernel*/, std::size_t /*tick*/) {}, machine);
+  ASSERT_GT(said_s.size(), 30'000U);
+  for (std::size_t tick = 1; tick < said_s.size(); tick += 250) {
+    const double left_s = static_cast<double>(said_s.size() - tick) * 1e-3;
+    EXPECT_NEAR(said_s.at(tick), left_s, 0.02 * left_s + 0.15) << "tick " << tick;
+  }
+}
+
+// Found with a client: what is not read yet was thought to dwell ten times as long.
+TEST(ProgramNotes, KnowThatADwellTakesNoLongerUnderALowOverride) {
+  Kernel kernel(default_machine(), {.waits = true,
+                                    .tells_operator = true,
+                                    .nominal = NominalTime{.motion_s = 2.0, .rest_s = 30.0}});
+  kernel.feed("G21 G90 G61\nG1 X50 F3000\nM0\nG4 P30\nG1 X0\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  auto status = TickStatus::running;
+  for (int i = 0; i < 5000 && status == TickStatus::running; ++i) {
+    kernel.plan();
+    status = kernel.tick(setpoint);
+  }
+  ASSERT_EQ(status, TickStatus::waiting);
+  for (const double feed : {1.0, 0.5, 0.1, 2.0}) {
+    kernel.set_overrides({.feed = feed});
+    kernel.plan();
+    kernel.tick(setpoint);
+    EXPECT_NEAR(kernel.left_s().value_or(0.0), 30.0 + 1.0 / feed, 0.1 + 0.1 / feed) << feed;
+  }
+}
+
 // Found by reading: a way that an axis A takes was divided by the feedrate of X, Y and Z. Of a
 // fifth of it 482 s were said to be left of 31.
 TEST(ProgramNotes, KnowTheTimeThatIsLeftWhereAnAxisThatTurnsIsTheSlowest) {
@@ -232,13 +269,13 @@ TEST(ProgramNotes, KnowTheTimeThatIsLeftAndFollowTheOverride) {
   const auto whole_text = [&]() -> std::string_view {
     return std::exchange(read, true) ? std::string_view() : std::string_view(text);
   };
-  const double nominal_s = check_program(whole_text, mill()).nominal_s;
+  const NominalTime nominal = check_program(whole_text, mill()).nominal;
   const double period_s = mill().limits.period_s;
   const auto whole = ticks_of(text);
-  Kernel kernel(mill(), {.tells_operator = true, .nominal_s = nominal_s});
+  Kernel kernel(mill(), {.tells_operator = true, .nominal = nominal});
   kernel.feed(text);
   kernel.finish();
-  EXPECT_NEAR(*kernel.left_s(), nominal_s, 1e-9);
+  EXPECT_NEAR(*kernel.left_s(), nominal.motion_s, 1e-9);
   Setpoint setpoint;
   for (std::size_t tick = 0; tick < whole.size() - 1; ++tick) {
     kernel.plan();
@@ -248,11 +285,11 @@ TEST(ProgramNotes, KnowTheTimeThatIsLeftAndFollowTheOverride) {
       EXPECT_NEAR(*kernel.left_s(), left_s, 0.1 * left_s + 0.1) << "tick " << tick;
     }
   }
-  Kernel half(mill(), {.tells_operator = true, .nominal_s = nominal_s});
+  Kernel half(mill(), {.tells_operator = true, .nominal = nominal});
   half.set_overrides({.feed = 0.5});
   half.feed(text);
   half.finish();
-  EXPECT_NEAR(*half.left_s(), 2.0 * nominal_s, 1e-9);
+  EXPECT_NEAR(*half.left_s(), 2.0 * nominal.motion_s, 1e-9);
   half.set_overrides({.feed = 0.0});
   half.plan();
   EXPECT_FALSE(half.left_s());

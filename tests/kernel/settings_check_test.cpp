@@ -247,7 +247,10 @@ TEST(SettingsCheck, RefusesImpossibleOptions) {
     expect("window_blocks", [=](KernelOptions& options) { options.window_blocks = blocks; });
   }
   for (const double nominal_s : {-1.0, kInfinity, kNan}) {
-    expect("nominal_s", [=](KernelOptions& options) { options.nominal_s = nominal_s; });
+    expect("nominal.motion_s",
+           [=](KernelOptions& options) { options.nominal = NominalTime{.motion_s = nominal_s}; });
+    expect("nominal.rest_s",
+           [=](KernelOptions& options) { options.nominal = NominalTime{.rest_s = nominal_s}; });
   }
   expect("reads_apart",
          [](KernelOptions& options) { options.reads_apart = options.tells_operator = true; });

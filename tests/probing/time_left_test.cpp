@@ -12,7 +12,7 @@ namespace {
 TEST(TimeLeft, IsThatOfWhatFollowsBehindAContact) {
   std::vector<double> said_s;
   TableOrder order;
-  order.options.nominal_s = 15.0 + 10.0;
+  order.options.nominal = NominalTime{.motion_s = 15.0 + 10.0};
   order.before = [&](Kernel& kernel, const TableRun& run, ProgramInputs& inputs) {
     inputs.probe = !run.ticks.empty() && run.ticks.back().position_mm[2] <= -3.0;
     said_s.push_back(kernel.left_s().value_or(-1.0));

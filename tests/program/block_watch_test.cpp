@@ -15,7 +15,7 @@ void read_moves(BlockWatch& watch, const char* text) {
     watch.move(move);
     if (std::holds_alternative<parser::DwellMove>(move.shape) ||
         std::holds_alternative<parser::EventMove>(move.shape)) {
-      watch.rest(0.0);
+      watch.rest({});
     }
   }
 }

@@ -26,7 +26,7 @@ class BlockWatch : public PipelineObserver, public parser::BlockWatcher {
 
   void about_to_run(const parser::UpcomingBlock& block) override;
   void move(const parser::Move& move) override;
-  void rest(double /*duration_s*/) override { ++rests_pushed_; }
+  void rest(const lookahead::RestTime& /*time*/) override { ++rests_pushed_; }
   // The lines of a curve come with its first phase.
   void planned(const lookahead::Outbox& outbox) override;
 

@@ -38,7 +38,7 @@ bool keep_source(PageRecord* page, ProgramFile& file, FileReport& report) {
 
 void judge(const ProgramCheck& how, const CheckReport& found, FileReport& report) {
   report.take(found.diagnostics);
-  how.kernel_options.nominal_s = found.nominal_s;
+  how.kernel_options.nominal = found.nominal;
   if (found.in_inches && !how.options.feed_unit) {
     report.feed_unit = FeedUnit::inch_min;
   }

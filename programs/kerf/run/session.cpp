@@ -220,7 +220,8 @@ class Session {
     }
     if (start_.place()) {
       kernel_options_.start_in_program = start_.place();
-      kernel_options_.nominal_s = path_.length_mm = 0.0;  // they are those of the whole program
+      kernel_options_.nominal.reset();  // that and the length are of the whole program
+      path_.length_mm = 0.0;
     }
     file.rewind();
     if (options_.command != Subcommand::run) {

@@ -59,7 +59,8 @@ CheckReport checked(const FuzzInput& input) {
 std::int64_t ticks_of_stop(const FuzzInput& input, const CheckReport& report) {
   const bool may_tap = input.text.find("84") != std::string_view::npos ||
                        input.text.find("74") != std::string_view::npos;
-  const double programmed = report.nominal_s / input.machine.limits.period_s;
+  const double programmed =
+      (report.nominal.motion_s + report.nominal.rest_s) / input.machine.limits.period_s;
   return kTicksOfStop + (may_tap && programmed > 0.0
                              ? static_cast<std::int64_t>(std::min(programmed, 1.0 * kMostTicks))
                              : 0);
