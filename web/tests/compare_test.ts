@@ -114,3 +114,30 @@ test("two programs are compared line by line, those first that differ most", asy
   assert.deepEqual(said, []);
   await page.context().close();
 });
+
+// The rows that differ, as the page names them.
+function rowsOf(before: string, after: string): string[][] {
+  interface Side { from_line: number; to_line: number; time_s: number }
+  const { lines } = JSON.parse(kerf("compare", "--json", "--lines", "1000", before, after).out).difference;
+  const span = (side: Side | null): string => (!side ? "" : side.from_line === side.to_line ? `${side.from_line}` : `${side.from_line} to ${side.to_line}`);
+  return (lines as { first: Side | null; second: Side | null }[]).map(({ first, second }) => {
+    const [from, to] = [span(first), span(second)];
+    const name = from === to ? from : from === "" ? `+ ${to}` : to === "" ? `\u2212 ${from}` : `${from} \u2192 ${to}`;
+    return [name, clock(first?.time_s ?? 0), clock(second?.time_s ?? 0)];
+  });
+}
+
+test("the rows by line are those of kerf compare", async () => {
+  const moves = Array.from({ length: 12 }, (_, i) => `G1 X${(i % 3) * 4} Y${i}`);
+  const program = (name: string, body: readonly string[]): string => programFile(["G21 G90 G61 F600", ...body, "M2", ""].join("\n"), name);
+  const slow = program("slow.ngc", moves.map((move) => `${move} F1000`));
+  const fast = program("fast.ngc", moves.flatMap((move, i) => [`${move} F1200`, ...(i === 4 ? ["G4 P0.1"] : [])]));
+  const numbered = program("numbered.ngc", moves.flatMap((move, i) => [`N${i} ${move}${i === 7 ? " F300 (slow)" : " ; as before"}`, ...(i % 5 === 4 ? ["G4 P0.2", "(rest)"] : [])]));
+  for (const [before, after] of [[slow, fast], [program("plain.ngc", moves), numbered], [numbered, slow]] as const) {
+    const { page } = await openReport([before, after]);
+    await page.locator("[data-tab=difference]").click();
+    const rows = await page.locator("[data-test=difference-lines] tbody tr").evaluateAll((all) => all.map((row) => [...row.children].map((cell) => cell.textContent!)));
+    assert.deepEqual(rows.filter((row) => row[4] !== "").map(([name, , base, other]) => [name, base, other]), rowsOf(before, after));
+    await page.context().close();
+  }
+});

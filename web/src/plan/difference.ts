@@ -2,10 +2,12 @@
 import type { Account } from "./account.ts";
 import type { Plan } from "./plan.ts";
 
-// One line of both programs; 0: the other program has none like it.
+// Lines of both programs that stand for each other, from the first to the last; last < first: none.
 export interface LinePair {
   readonly base: number;
+  readonly baseLast: number;
   readonly other: number;
+  readonly otherLast: number;
 }
 
 export interface Ran {
@@ -18,7 +20,7 @@ export interface Row {
   readonly other_s: number;
 }
 export interface LineRow extends LinePair, Row {
-  readonly text: string; // as the other program has it; empty: it is not in the page
+  readonly text: string; // of the first line, as the other program has it; empty: it is not in the page
 }
 export interface LimitRow extends Row {
   readonly key: string;
@@ -29,10 +31,16 @@ export function largestFirst<T extends Row>(rows: readonly T[]): T[] {
   return [...rows].sort((a, b) => Math.abs(b.other_s - b.base_s) - Math.abs(a.other_s - a.base_s));
 }
 
-// What a line says, without its number and however it is spaced.
-const meaning = (line: string): string => line.replace(/^\s*\/?\s*N\d+\s*/i, "").replace(/\s+/g, "").toUpperCase();
+// What a line says: without comments, blanks and N, in capitals. A slash before N stays.
+const meaning = (line: string): string => line.replace(/\([^)]*\)?|;[^]*|[ \t-\r]+/g, "").toUpperCase().replace(/^(\/\d*)?N\d+/, "$1");
+
+// As kerf numbers them: behind the end of the last line none begins.
+const linesOf = (text: string): string[] => text.replace(/\n$/, "").split("\n");
+
+const DEEPEST = 64; // gaps within gaps: bounds what a text can cost
 
 interface Gap {
+  depth: number;
   a: number;
   aEnd: number;
   b: number;
@@ -76,28 +84,43 @@ function anchorsOf(a: readonly string[], b: readonly string[], gap: Gap): [numbe
   return row.reverse();
 }
 
-// Lines of both texts, in their order. What is equal stands together; of what is not, as many lines as both have.
+const onePair = (base: number, other: number): LinePair => ({ base, baseLast: base, other, otherLast: other });
+
+// What lies between lines that are found in both: one by one where both have as many, else all of it together.
+function addBetween({ a, aEnd, b, bEnd }: Gap, pairs: LinePair[]): void {
+  if (aEnd - a !== bEnd - b) pairs.push({ base: a + 1, baseLast: aEnd, other: b + 1, otherLast: bEnd });
+  else while (a < aEnd) pairs.push(onePair(++a, ++b));
+}
+
+// All lines of both texts, in their order, each in one pair: the pairs of `kerf compare` (compare/line_match.cpp).
 export function pairLines(base: string, other: string): LinePair[] {
-  const [a, b] = [base, other].map((text) => text.split("\n").map(meaning)) as [string[], string[]];
+  const [a, b] = [base, other].map((text) => linesOf(text).map(meaning)) as [string[], string[]];
   const pairs: LinePair[] = [];
-  const gaps: Gap[] = [{ a: 0, aEnd: a.length, b: 0, bEnd: b.length }]; // the next one last
+  const gaps: Gap[] = [{ depth: 0, a: 0, aEnd: a.length, b: 0, bEnd: b.length }]; // the next one last
   for (let gap = gaps.pop(); gap; gap = gaps.pop()) {
-    while (gap.a < gap.aEnd && gap.b < gap.bEnd && a[gap.a] === b[gap.b]) pairs.push({ base: ++gap.a, other: ++gap.b });
+    while (gap.a < gap.aEnd && gap.b < gap.bEnd && a[gap.a] === b[gap.b]) pairs.push(onePair(++gap.a, ++gap.b));
     const ends = { a: gap.aEnd, b: gap.bEnd };
     while (gap.aEnd > gap.a && gap.bEnd > gap.b && a[gap.aEnd - 1] === b[gap.bEnd - 1]) (--gap.aEnd, --gap.bEnd);
-    if (gap.aEnd < ends.a) gaps.push({ a: gap.aEnd, aEnd: ends.a, b: gap.bEnd, bEnd: ends.b });
-    const anchors = anchorsOf(a, b, gap);
+    const depth = gap.depth + 1;
+    if (gap.aEnd < ends.a) gaps.push({ depth, a: gap.aEnd, aEnd: ends.a, b: gap.bEnd, bEnd: ends.b });
+    const anchors = gap.depth < DEEPEST ? anchorsOf(a, b, gap) : [];
     if (anchors.length === 0) {
-      while (gap.a < gap.aEnd || gap.b < gap.bEnd) pairs.push({ base: gap.a < gap.aEnd ? ++gap.a : 0, other: gap.b < gap.bEnd ? ++gap.b : 0 });
+      addBetween(gap, pairs);
       continue;
     }
     for (let i = anchors.length - 1; i >= 0; --i) {
       const [next, last] = [anchors[i + 1] ?? [gap.aEnd, gap.bEnd], anchors[i]!];
-      gaps.push({ a: last[0], aEnd: next[0], b: last[1], bEnd: next[1] });
+      gaps.push({ depth, a: last[0], aEnd: next[0], b: last[1], bEnd: next[1] });
     }
-    gaps.push({ a: gap.a, aEnd: anchors[0]![0], b: gap.b, bEnd: anchors[0]![1] });
+    gaps.push({ depth, a: gap.a, aEnd: anchors[0]![0], b: gap.b, bEnd: anchors[0]![1] });
   }
   return pairs;
+}
+
+function secondsOf({ plan, account }: Ran, first: number, last: number): number {
+  let ticks = 0;
+  for (let line = first; line <= last; ++line) ticks += account.lines.get(line) ?? 0;
+  return ticks * plan.period_s;
 }
 
 // The lines that take time in either, in their order. Without the texts lines of one number are one.
@@ -106,15 +129,15 @@ export function lineRows(base: Ran, other: Ran): LineRow[] {
   const isSame = texts[0] === null || texts[1] === null || texts[0] === texts[1];
   const numbers = new Set<number>();
   for (const { account } of [base, other]) account.lines.forEach((_ticks, line) => numbers.add(line));
-  const pairs = isSame ? [...numbers].sort((x, y) => x - y).map((line) => ({ base: line, other: line })) : pairLines(texts[0]!, texts[1]!);
+  const pairs = isSame ? [...numbers].sort((x, y) => x - y).map((line) => onePair(line, line)) : pairLines(texts[0]!, texts[1]!);
   const lines = texts.map((text) => text?.split("\n") ?? []);
-  const seconds = ({ plan, account }: Ran, line: number): number => (account.lines.get(line) ?? 0) * plan.period_s;
+  const textOf = (k: 0 | 1, first: number, last: number): string | undefined => (first <= last ? lines[k]![first - 1] : undefined);
   return pairs
     .map((pair) => ({
       ...pair,
-      text: (lines[1]![pair.other - 1] ?? lines[0]![pair.base - 1] ?? "").trim(),
-      base_s: seconds(base, pair.base),
-      other_s: seconds(other, pair.other),
+      text: (textOf(1, pair.other, pair.otherLast) ?? textOf(0, pair.base, pair.baseLast) ?? "").trim(),
+      base_s: secondsOf(base, pair.base, pair.baseLast),
+      other_s: secondsOf(other, pair.other, pair.otherLast),
     }))
     .filter((row) => row.base_s > 0 || row.other_s > 0);
 }

@@ -18,6 +18,17 @@ export interface Pair {
   readonly shown: Plan; // one of them: the instant is of this one
 }
 
+const spanText = (first: number, last: number): string => (last < first ? "" : last === first ? String(first) : `${first} to ${last}`);
+
+// Of the first of some lines that takes time.
+function firstTickOf({ account }: Ran, first: number, last: number): number | undefined {
+  for (let line = first; line <= last; ++line) {
+    const tick = account.firstTick.get(line);
+    if (tick !== undefined) return tick;
+  }
+  return undefined;
+}
+
 export class DifferenceView {
   readonly element = h("section", { class: "details", tabindex: "0", "aria-label": "Two runs side by side" });
   private pair: Pair | null = null;
@@ -93,11 +104,12 @@ export class DifferenceView {
     this.drawLines();
   }
 
-  // "12", "12 → 14" where they are not the same, and which of them is missing.
-  private lineName({ base, other }: LineRow): Node | string {
-    const text = base === other ? String(base) : base === 0 ? `+ ${other}` : other === 0 ? `\u2212 ${base}` : `${base} \u2192 ${other}`;
+  // "12", "12 → 14" where they are not the same, "20 to 24 → 22", and which of them is missing.
+  private lineName({ base, baseLast, other, otherLast }: LineRow): Node | string {
+    const [from, to] = [spanText(base, baseLast), spanText(other, otherLast)];
+    const text = from === to ? from : from === "" ? `+ ${to}` : to === "" ? `\u2212 ${from}` : `${from} \u2192 ${to}`;
     const { shown, base: before, other: after } = this.pair!;
-    const tick = shown === before.plan ? before.account.firstTick.get(base) : after.account.firstTick.get(other);
+    const tick = shown === before.plan ? firstTickOf(before, base, baseLast) : firstTickOf(after, other, otherLast);
     if (tick === undefined) return text;
     return h("button", { type: "button", class: "link", click: () => this.store.set({ tick, hover: null, playing: false }, "answer") }, text);
   }
