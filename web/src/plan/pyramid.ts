@@ -1,4 +1,4 @@
-// The smallest, the largest and the mean value of any range of a series, at once.
+// The smallest and the largest value of any range of a series, at once.
 
 export interface MinMax {
   min: number;
@@ -9,7 +9,6 @@ export interface MinMax {
 export class Pyramid {
   private readonly mins: Float32Array[] = [];
   private readonly maxs: Float32Array[] = [];
-  private sums: Float64Array | null = null; // of all before, once a mean is asked for
   readonly length: number;
 
   // Of equal length; one and the same where a column is a single tick.
@@ -54,16 +53,5 @@ export class Pyramid {
       high /= 4;
     }
     return found;
-  }
-
-  // Of the middles between both. NaN of an empty range.
-  mean(from: number, to: number): number {
-    if (!this.sums) {
-      const [low, high] = [this.mins[0]!, this.maxs[0]!];
-      this.sums = new Float64Array(this.length + 1);
-      for (let i = 0; i < this.length; ++i) this.sums[i + 1] = this.sums[i]! + (low[i]! + high[i]!) / 2;
-    }
-    const [first, last] = [Math.max(0, from), Math.min(this.length, to)];
-    return (this.sums[last]! - this.sums[first]!) / Math.max(0, last - first);
   }
 }

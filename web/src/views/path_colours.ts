@@ -10,7 +10,7 @@ export type Legend =
 
 export interface Colouring {
   readonly legend: Legend;
-  // Of the way between two ticks: how far up the scale, 0 to 1, or which part.
+  // Of the way between two points of the path: how far up the scale, 0 to 1, or which part.
   valueOf(from: number, to: number): number;
   rgbOf(value: number): Rgb;
 }
@@ -26,11 +26,11 @@ export function chosenParts(legend: Legend, chosen: readonly number[] | null): r
   return there.length > 0 ? there : null;
 }
 
-// The columns that the ticks stand for, at least one.
+// The columns between two points of the path, at least one.
 function columnsOf(plan: Plan, from: number, to: number): [number, number] {
-  const { ticksPerColumn, columns } = plan.motion!;
-  const first = Math.min(Math.floor(from / ticksPerColumn), columns - 1);
-  return [first, Math.min(Math.max(Math.ceil(to / ticksPerColumn), first + 1), columns)];
+  const { path, ticksPerColumn, columns } = plan.motion!;
+  const first = Math.min(Math.floor(path.tick[from]! / ticksPerColumn), columns - 1);
+  return [first, Math.min(Math.max(Math.ceil(path.tick[to]! / ticksPerColumn), first + 1), columns)];
 }
 
 // Of columns, without those at both ends: a long stretch takes in some of the motion that it begins and ends with.
@@ -63,10 +63,10 @@ function mostFrequent(values: Uint8Array, from: number, to: number, counts: Uint
   return best;
 }
 
-function byScale(plan: Plan, dark: boolean, value: (from: number, to: number) => number, legend: { title: string; quantity: ScaleQuantity; most: number }): Colouring {
+function byScale(dark: boolean, value: (from: number, to: number) => number, legend: { title: string; quantity: ScaleQuantity; most: number }): Colouring {
   return {
     legend: { kind: "scale", ...legend },
-    valueOf: (from, to) => (legend.most > 0 ? value(...columnsOf(plan, from, to)) / legend.most : 0),
+    valueOf: (from, to) => (legend.most > 0 ? value(from, to) / legend.most : 0),
     rgbOf: (share) => scaleColour(share, dark),
   };
 }
@@ -81,38 +81,44 @@ function byPart(
   return { legend: { kind: "parts", title: legend.title, parts }, valueOf, rgbOf: legend.colour };
 }
 
-// From point to point of the path.
-function meanFeed(plan: Plan, from: number, to: number): number {
-  const { tick, xyz } = plan.motion!.path;
-  return Math.hypot(...xyz.map((axis) => axis[to]! - axis[from]!)) / ((tick[to]! - tick[from]!) * plan.period_s);
+// From point to point of the path, as the tool goes between them: what columns of several ticks say of the feed at the ends
+// of a stretch is in part its neighbours'.
+function meanFeeds({ motion, period_s }: Plan): (from: number, to: number) => number {
+  const { tick, xyz: [x, y, z] } = motion!.path;
+  const ways = new Float64Array(tick.length); // up to each point, in mm
+  for (let i = 1; i < ways.length; ++i) ways[i] = ways[i - 1]! + Math.hypot(x[i]! - x[i - 1]!, y[i]! - y[i - 1]!, z[i]! - z[i - 1]!);
+  return (from, to) => (tick[to]! > tick[from]! ? (ways[to]! - ways[from]!) / ((tick[to]! - tick[from]!) * period_s) : 0);
 }
 
 // The largest between two points without a rapid. Of several ticks, the columns at both ends have some of the rapids there.
-function largestBetween(plan: Plan, first: number, last: number): number {
+function largestBetween(plan: Plan, meanFeed: (from: number, to: number) => number, first: number, last: number): number {
   const { path, ticksPerColumn } = plan.motion!;
   const series = plan.series("path.v");
   const [from, to] = [path.tick[first]!, path.tick[last]!];
-  if (ticksPerColumn === 1) return series.range(...columnsOf(plan, from, to)).max;
+  if (ticksPerColumn === 1) return series.range(...columnsOf(plan, first, last)).max;
   const [begin, end] = [Math.ceil(from / ticksPerColumn), Math.floor(to / ticksPerColumn)];
   if (begin < end) return series.range(begin, end).max;
   let most = 0;
-  for (let i = first + 1; i <= last; ++i) {
-    if (path.tick[i]! > path.tick[i - 1]!) most = Math.max(most, meanFeed(plan, i - 1, i));
-  }
+  for (let i = first + 1; i <= last; ++i) most = Math.max(most, meanFeed(i - 1, i));
   return most;
 }
 
 // The largest feedrate that is no rapid's; of a program that only has rapids theirs.
-function largestFeed(plan: Plan): number {
+function largestFeed(plan: Plan, meanFeed: (from: number, to: number) => number): number {
   const { path, columns } = plan.motion!;
   let most = 0;
   for (let first = 0, i = 1; i <= path.tick.length; ++i) {
     if (path.rapid[i] === 0) continue;
     // A rapid leads to this point, or there is none.
-    if (i - 1 > first) most = Math.max(most, largestBetween(plan, first, i - 1));
+    if (i - 1 > first) most = Math.max(most, largestBetween(plan, meanFeed, first, i - 1));
     first = i;
   }
   return most > 0 ? most : plan.series("path.v").range(0, columns).max;
+}
+
+function byFeed(plan: Plan, dark: boolean): Colouring {
+  const meanFeed = meanFeeds(plan);
+  return byScale(dark, meanFeed, { title: "feed", quantity: "v", most: largestFeed(plan, meanFeed) });
 }
 
 function byLimit(plan: Plan, ground: Rgb): Colouring {
@@ -133,10 +139,10 @@ function byLimit(plan: Plan, ground: Rgb): Colouring {
 }
 
 function byTool(plan: Plan, ground: Rgb): Colouring {
-  const { runs } = plan.motion!;
+  const { path, runs } = plan.motion!;
   const ticks = new Map<number, number>();
   runs.tool.forEach((tool, i) => ticks.set(tool, (ticks.get(tool) ?? 0) + plan.runEnd(i) - runs.tick[i]!));
-  return byPart((from) => runs.tool[Math.max(0, lastAtOrBefore(runs.tick, from))]!, ticks, {
+  return byPart((from) => runs.tool[Math.max(0, lastAtOrBefore(runs.tick, path.tick[from]!))]!, ticks, {
     title: "tool",
     name: (id) => (id === 0 ? "no tool" : `T${id}`),
     colour: (id) => visibleOn(toolColour(id), ground),
@@ -147,7 +153,7 @@ function byTool(plan: Plan, ground: Rgb): Colouring {
 function byLength(plan: Plan, dark: boolean, name: string, title: string): Colouring {
   const series = plan.series(name);
   const most = series.range(0, plan.motion!.columns).max;
-  return byScale(plan, dark, (from, to) => series.range(...innerColumns(from, to)).max, { title, quantity: "length", most });
+  return byScale(dark, (from, to) => series.range(...innerColumns(...columnsOf(plan, from, to))).max, { title, quantity: "length", most });
 }
 
 // Of a path that does not run: what of it is outside the travel.
@@ -161,8 +167,7 @@ function byTravel(plan: Plan, path: Path, ground: Rgb): Colouring {
   const ways = Uint8Array.from(path.tick, (_, i) => Number(isOut(i) || (i > 0 && isOut(i - 1))));
   const ticks = new Map<number, number>();
   ways.forEach((way, i) => i > 0 && ticks.set(way, (ticks.get(way) ?? 0) + path.tick[i]! - path.tick[i - 1]!));
-  const last = (to: number): number => ways[Math.max(0, lastAtOrBefore(path.tick, to))]!;
-  return byPart((_from, to) => last(to), ticks, {
+  return byPart((_from, to) => ways[to]!, ticks, {
     title: "the path as it is planned",
     name: (id) => (id === 1 ? "leads out of the travel" : "within the travel of X, Y and Z"),
     colour: (id) => visibleOn(rgbOf(id === 1 ? "#c62828" : "#7d8590"), ground),
@@ -178,19 +183,18 @@ export function colouringOf(plan: Plan, path: Path, wanted: ColourBy, ground: { 
   if (!plan.motion) return byTravel(plan, path, ground.rgb);
   const by = coloursOf(plan).includes(wanted) ? wanted : "feed";
   switch (by) {
-    case "feed": {
-      const series = plan.series("path.v");
-      return byScale(plan, ground.dark, (from, to) => series.mean(from, to), { title: "feed", quantity: "v", most: largestFeed(plan) });
-    }
+    case "feed":
+      return byFeed(plan, ground.dark);
     case "acceleration":
     case "jerk": {
       const quantity = by === "jerk" ? "j" : "a";
       const title = `${by}, of the limit that is closest`;
       const share = (from: number, to: number): number => {
-        const most = shareOfLimit(plan, quantity, from, to);
-        return most > 1.001 ? most : shareOfLimit(plan, quantity, ...innerColumns(from, to)); // what is over a limit shows
+        const columns = columnsOf(plan, from, to);
+        const most = shareOfLimit(plan, quantity, ...columns);
+        return most > 1.001 ? most : shareOfLimit(plan, quantity, ...innerColumns(...columns)); // what is over a limit shows
       };
-      return byScale(plan, ground.dark, share, { title, quantity: "share", most: 1 });
+      return byScale(ground.dark, share, { title, quantity: "share", most: 1 });
     }
     case "following":
       return byLength(plan, ground.dark, "following_error", "following error");

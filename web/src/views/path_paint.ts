@@ -36,9 +36,8 @@ export class PathPaint {
     const faint = bytesOf(rgbOf(ground.faint));
     const steps = colouring.legend.kind === "scale" ? Array.from({ length: 257 }, (_, i) => bytesOf(colouring.rgbOf(i / 256))) : null;
     const known = new Map<number, number[]>();
-    const { tick } = this.path;
     this.tint = (from, to, into, at) => {
-      const value = colouring.valueOf(tick[from]!, tick[to]!);
+      const value = colouring.valueOf(from, to);
       let bytes: number[] | undefined;
       if (parts !== null && !parts.includes(steps ? scalePart(value) : value)) bytes = faint;
       else if (steps) bytes = steps[Math.round(256 * Math.min(1, Math.max(0, value)))];
