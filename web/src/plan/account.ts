@@ -1,5 +1,6 @@
 // Where the time of a program goes: by what the machine does, by tool, by operation, by line.
 import { ByLine, type LineNumbers } from "./by_line.ts";
+import type { Header } from "./decode.ts";
 import { RunKind, type Plan } from "./plan.ts";
 
 export interface Split {
@@ -147,4 +148,11 @@ export function fitsOf(plan: Plan): Fit[] {
     travel: axis.travel,
     over: report.fit?.axes[axis.name]?.over_mm ?? 0,
   }));
+}
+
+// The work offsets that move the program; where none is known to, G54.
+export function workOffsetsOf({ header: { machine, report } }: Plan): Header["machine"]["work_offsets"] {
+  const names = report.fit?.work_offsets.map(({ name }) => name) ?? [];
+  const used = machine.work_offsets.filter(({ name }) => names.includes(name));
+  return used.length > 0 ? used : machine.work_offsets.slice(0, 1);
 }

@@ -1,7 +1,7 @@
 // Over the path: the axes' directions, the scale, and the names of places.
 import * as THREE from "three";
 import { hexOf } from "../colours.ts";
-import { fitsOf } from "../plan/account.ts";
+import { fitsOf, workOffsetsOf } from "../plan/account.ts";
 import type { Path, Plan } from "../plan/plan.ts";
 import { MM_PER_INCH, lengthText, lengthUnit, plain, type Units } from "../units.ts";
 import type { Ground } from "./ground.ts";
@@ -15,14 +15,14 @@ export interface Place {
   readonly over_mm?: number; // told behind the text
 }
 
-// Where the program begins, where its zero is, where it is farthest from the programmed path.
+// Where the program begins, where its zeros are, where it is farthest from the programmed path.
 export function placesOf(plan: Plan, path: Path): Place[] {
   const at = (i: number): Triple => [path.xyz[0][i] ?? 0, path.xyz[1][i] ?? 0, path.xyz[2][i] ?? 0];
   const start = at(0);
-  const work = plan.header.machine.work_offsets[0];
-  const isAtStart = work?.origin_mm.every((mm, k) => Math.abs(mm - start[k]!) < 1e-6) ?? false;
-  const places: Place[] = [{ at: start, text: isAtStart ? `start, ${work!.name}` : "start" }];
-  if (work && !isAtStart) places.push({ at: [...work.origin_mm], text: work.name });
+  const zeros = workOffsetsOf(plan);
+  const atStart = zeros.filter(({ origin_mm }) => origin_mm.every((mm, k) => Math.abs(mm - start[k]!) < 1e-6));
+  const places: Place[] = [{ at: start, text: ["start", ...atStart.map(({ name }) => name)].join(", ") }];
+  for (const zero of zeros) if (!atStart.includes(zero)) places.push({ at: [...zero.origin_mm], text: zero.name });
   const deviation = plan.header.report.deviation;
   const farthest = deviation?.at_mm;
   if (deviation && farthest && deviation.max_mm >= 5e-7) places.push({ at: [farthest["x"] ?? 0, farthest["y"] ?? 0, farthest["z"] ?? 0], text: "largest deviation" });

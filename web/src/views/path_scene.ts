@@ -1,5 +1,6 @@
 // What stands in the view of the path: the path itself, the line that the tool is in, travel, zeros and the tool.
 import * as THREE from "three";
+import { workOffsetsOf } from "../plan/account.ts";
 import type { Path, Plan } from "../plan/plan.ts";
 import type { Ground } from "./ground.ts";
 import type { Colouring } from "./path_colours.ts";
@@ -28,7 +29,8 @@ export class PathScene {
   private readonly lines = new Strokes(MOST_STRETCHES, 2.2);
   private readonly mark = new Strokes(MOST_OF_MARK + 2, 8); // a broad band below the path, whose colours stay as they are
   private readonly travel = unitBox();
-  private readonly zero = new THREE.AxesHelper(26); // this and the tool are placed in millimetres and drawn in pixels
+  private readonly zero = new THREE.AxesHelper(26); // its copies and the tool are placed in millimetres and drawn in pixels
+  private readonly zeros = new THREE.Group();
   private readonly tool = toolCone();
   private paint: PathPaint | null = null;
   private markedRun = "";
@@ -39,7 +41,7 @@ export class PathScene {
     this.mark.object.renderOrder = -1;
     (this.zero.material as THREE.LineBasicMaterial).depthTest = false;
     this.zero.renderOrder = 5;
-    this.scene.add(this.lines.object, this.mark.object, this.travel, this.zero, this.tool);
+    this.scene.add(this.lines.object, this.mark.object, this.travel, this.zeros, this.tool);
   }
 
   show(path: Path | null): void {
@@ -47,19 +49,23 @@ export class PathScene {
     this.lines.fill([]);
     this.mark.fill([]);
     this.markedRun = "";
-    this.zero.visible = path !== null;
+    this.zeros.visible = path !== null;
     this.tool.visible = false;
   }
 
-  // Travel box and work offset.
+  // Travel box and work offsets.
   furnish(plan: Plan, ground: Ground): void {
     const travel = plan.header.machine.axes.slice(0, 3).map((axis) => axis.travel);
     this.travel.visible = plan.path !== null && travel.every(([min, max]) => min !== null && max !== null);
     this.travel.position.set(...travel.map(([min]) => min ?? 0) as Triple);
     this.travel.scale.set(...travel.map(([min, max]) => (max ?? 0) - (min ?? 0)) as Triple);
     this.travel.material.color.set(ground.faint);
-    const work = plan.header.machine.work_offsets[0];
-    this.zero.position.set(...(work ? [...work.origin_mm] : [0, 0, 0]) as Triple);
+    this.zeros.clear();
+    for (const { origin_mm } of workOffsetsOf(plan)) {
+      const zero = this.zero.clone();
+      zero.position.set(...origin_mm);
+      this.zeros.add(zero);
+    }
     this.tool.material.color.set(ground.accent);
     this.scene.background = new THREE.Color(...ground.rgb);
     this.markedRun = "";
@@ -94,7 +100,7 @@ export class PathScene {
 
   // Before a frame. False: not all lines are as fine as they should be.
   prepare(projection: THREE.Matrix4, pixelsPerMm: number): boolean {
-    for (const object of [this.zero, this.tool]) object.scale.setScalar(1 / pixelsPerMm);
+    for (const object of [...this.zeros.children, this.tool]) object.scale.setScalar(1 / pixelsPerMm);
     const painted = this.paint?.paintFor({ projection: projection.elements, pixelsPerMm }, performance.now() + PAINT_MS);
     if (painted) this.lines.fill(painted.parts);
     return painted?.isWhole ?? true;
