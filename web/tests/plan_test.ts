@@ -179,6 +179,20 @@ test("a chart has every peak at any width", () => {
   assert.equal(near.max[7], 5);
 });
 
+test("a column of several ticks has its values from its begin to its end in a chart that is near", () => {
+  const plan = planOf([{ ticks: 1000, line: 1, kind: RunKind.cut }]);
+  Object.assign(plan.motion!, { ticksPerColumn: 4, columns: 250 });
+  const series = new Pyramid(Float32Array.from({ length: 250 }, (_, i) => i % 3), Float32Array.from({ length: 250 }, (_, i) => 5 + (i % 7)));
+  plan.series = () => series;
+  const near = drawnColumns(plan, "path.v", { from: 630, to: 640 }, 500);
+  assert.deepEqual([...near.tick], [628, 632, 632, 636, 636, 640, 640, 644]);
+  near.tick.forEach((tick, i) => {
+    const { min, max } = plan.valueAt("path.v", i % 2 === 0 ? tick : tick - 1);
+    assert.deepEqual([near.min[i], near.max[i]], [min, max], `tick ${tick}`);
+  });
+  assert.equal(drawnColumns(plan, "path.v", { from: 0, to: 1000 }, 100).tick.length, 100, "from afar one point a pixel");
+});
+
 test("what of a long run is not known to the tick is told", () => {
   const plan = planOf([{ ticks: 1000, line: 1, kind: RunKind.cut }]);
   assert.equal(finenessText(plan), "");

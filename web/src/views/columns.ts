@@ -13,8 +13,8 @@ export interface Drawn {
   readonly max: Float64Array;
 }
 
-// One point a pixel, or one a column of the plan where these are fewer. A pixel's range reaches into the next one's first
-// column, so that neighbours meet.
+// One point a pixel, or one a column of the plan where these are fewer: of several ticks, one at each of its ends, since its
+// values are those of all of it. A pixel's range reaches into the next one's first column, so that neighbours meet.
 export function drawnColumns(plan: Plan, series: string, span: Span, pixels: number): Drawn {
   const { ticksPerColumn, columns } = plan.motion!;
   const first = Math.max(0, Math.floor(span.from / ticksPerColumn));
@@ -22,14 +22,19 @@ export function drawnColumns(plan: Plan, series: string, span: Span, pixels: num
   const count = Math.max(0, last - first + 1);
   const pyramid = plan.series(series);
   const points = Math.min(count, Math.max(1, Math.floor(pixels)));
-  const drawn = { tick: new Float64Array(points), min: new Float64Array(points), max: new Float64Array(points) };
+  const ends = points === count && ticksPerColumn > 1 ? 2 : 1;
+  const size = ends * points;
+  const drawn = { tick: new Float64Array(size), min: new Float64Array(size), max: new Float64Array(size) };
   for (let i = 0; i < points; ++i) {
     const begin = first + Math.floor((i * count) / points);
     const end = first + Math.floor(((i + 1) * count) / points);
     const { min, max } = pyramid.range(begin, points < count ? end + 1 : end);
-    drawn.tick[i] = begin * ticksPerColumn;
-    drawn.min[i] = min;
-    drawn.max[i] = max;
+    for (let end = 0; end < ends; ++end) {
+      const at = ends * i + end;
+      drawn.tick[at] = (begin + end) * ticksPerColumn;
+      drawn.min[at] = min;
+      drawn.max[at] = max;
+    }
   }
   return drawn;
 }
