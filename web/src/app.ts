@@ -84,8 +84,9 @@ export class App {
 
   // Other plans in place of those that are shown.
   replace(shown: Shown): void {
+    const [before, now] = [this.shown, shown].map(({ plans }) => plans[0].header.report.file);
     this.shown = shown;
-    this.store.set({ plan: 0, hover: null, span: null, playing: false }, "page");
+    this.store.replacePlans(before === now, "page");
   }
 
   // Of the plan that is shown, as long as its times are not there.

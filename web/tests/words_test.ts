@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { luminance, mixed, rgbOf, scaleColour, visibleOn, type Rgb } from "../src/colours.ts";
 import type { TextFile } from "../src/plan/browser_kernel.ts";
 import { programFirst } from "../src/plan/program_files.ts";
-import { fromFragment, initialState, toFragment } from "../src/state.ts";
+import { Store, fromFragment, initialState, toFragment } from "../src/state.ts";
 import { clock, lengthText, percent, plain, shortTime, unitOf } from "../src/units.ts";
 
 test("the program is the file that no other calls", () => {
@@ -85,4 +85,17 @@ test("colours of parts stand out from their ground by 3 to 1", () => {
     }
   }
   assert.deepEqual(mixed([0, 0, 0], [1, 1, 1], 0.5), [0.5, 0.5, 0.5]);
+});
+
+test("another program in place of the one that is shown is seen from its own begin, the same one as it was", () => {
+  const seen = { tick: 77, shown: [3], camera: "1,2,3,0,0,0,9.5" };
+  const after = (isSameProgram: boolean): unknown => {
+    const store = new Store({ ...initialState(), ...seen, hover: 5, span: [10, 90], playing: true });
+    store.replacePlans(isSameProgram, "page");
+    const { tick, shown, camera, hover, span, playing } = store.state;
+    assert.deepEqual({ hover, span, playing }, { hover: null, span: null, playing: false });
+    return { tick, shown, camera };
+  };
+  assert.deepEqual(after(true), seen);
+  assert.deepEqual(after(false), { tick: 0, shown: null, camera: "" });
 });
