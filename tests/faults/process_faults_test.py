@@ -8,13 +8,13 @@ import pathlib
 import resource
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "program"))
 from command_line import Case, KERF, LONG, SOURCE, SQUARE, main  # noqa: E402
+from control_channel import connection_to  # noqa: E402
 
 ESCAPES = "\x1b[31m\x07\x9b2J"
 
@@ -71,11 +71,7 @@ class ProcessFaults(Case):
             return "G21 G90\nF6000\n" + "".join(f"G1 X{i % 2 / 100} ({'-' * 100})\n" for i in range(20_000)) + end
         place, program, trace = self.path("c.sock"), self.path("held.ngc", text("M30\n")), self.path("t.csv")
         process = self.start("run", program, "--trace", trace, "--window", "10", "--control", place, stdin=subprocess.DEVNULL)
-        while not os.path.exists(place):
-            self.assertIsNone(process.poll())
-            time.sleep(0.01)
-        with socket.socket(socket.AF_UNIX) as client:
-            client.connect(place)
+        with connection_to(self, process, place) as client:
             lines = client.makefile("rw")
 
             def ask(command):

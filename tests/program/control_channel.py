@@ -1,6 +1,5 @@
 """The other end of `kerf run --control`: every line holds to docs/control.schema.json."""
 import json
-import os
 import pathlib
 import socket
 import subprocess
@@ -56,16 +55,22 @@ class Client:
         return self.read_until(type="status")
 
 
-def connect(case, process, place):
-    """To the socket at the path, once `kerf run --control` of the process listens there."""
-    while not os.path.exists(place):
-        case.assertIsNone(process.poll())
-        time.sleep(0.01)
+def connection_to(case, process, place):
+    """To the socket at the path, once `kerf run --control` of the process listens there: a moment after the path is there."""
     connection = socket.socket(socket.AF_UNIX)
     case.addCleanup(connection.close)
     connection.settimeout(60)
-    connection.connect(place)
-    return client_of(case, connection)
+    while True:
+        try:
+            connection.connect(place)
+            return connection
+        except (ConnectionRefusedError, FileNotFoundError):
+            case.assertIsNone(process.poll())
+            time.sleep(0.01)
+
+
+def connect(case, process, place):
+    return client_of(case, connection_to(case, process, place))
 
 
 def client_of(case, connection):
