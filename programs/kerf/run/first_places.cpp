@@ -65,10 +65,11 @@ class FirstPlaces {
 
   // As read from another start: they depend on none.
   [[nodiscard]] bool lead_as(const FirstPlaces& other) const {
-    return std::ranges::equal(places_, other.places_, [](const auto& one, const auto& two) {
+    const auto is_same = [](const auto& one, const auto& two) {
       return one.has_value() == two.has_value() &&
              (!one || (one->block == two->block && std::abs(one->mm - two->mm) <= kRounding_mm));
-    });
+    };
+    return std::equal(places_.begin(), places_.end(), other.places_.begin(), is_same);
   }
   // The same blocks, if they move it, bring the tool to the same places. False: they do not.
   [[nodiscard]] bool agrees(const parser::Move& move) const {
