@@ -36,10 +36,9 @@ std::string page_name(const std::string& program) {
 
 }  // namespace
 
-void PageMaker::RemoveIfEmpty::operator()(const fs::path* folder) const noexcept {
+PageMaker::Folder::~Folder() {
   std::error_code is_not_empty;
-  fs::remove(*folder, is_not_empty);
-  delete folder;
+  fs::remove(path_, is_not_empty);
 }
 
 tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
@@ -54,8 +53,8 @@ tl::expected<PageMaker, std::string> PageMaker::open(const Options& options) {
     if (!made) {
       return tl::unexpected(made.error());
     }
-    folder.reset(new fs::path(*std::move(made)));
-    path = (*folder / page_name(options.files.front())).string();
+    path = (*made / page_name(options.files.front())).string();
+    folder = Folder(*std::move(made));
   }
   auto file = PageFile::create(path, *std::move(page_template));
   if (!file) {

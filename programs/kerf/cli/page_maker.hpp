@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -29,10 +28,20 @@ class PageMaker {
 
  private:
   // Of `kerf view`. It stays with a page in it: the browser reads that when it likes.
-  struct RemoveIfEmpty {
-    void operator()(const std::filesystem::path* folder) const noexcept;
+  class Folder {
+   public:
+    Folder() = default;
+    explicit Folder(std::filesystem::path path) noexcept : path_(std::move(path)) {}
+    ~Folder();
+    Folder(Folder&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+    Folder& operator=(Folder&& other) noexcept {
+      path_.swap(other.path_);
+      return *this;
+    }
+
+   private:
+    std::filesystem::path path_{};  // empty: there is none
   };
-  using Folder = std::unique_ptr<const std::filesystem::path, RemoveIfEmpty>;
   PageMaker(Folder folder, PageFile file, const Options& options)
       : folder_(std::move(folder)), file_(std::move(file)), options_(&options) {}
 
