@@ -153,11 +153,7 @@ class Ticks {
         outcome_.gap = TickGap{.duration_s = gap_s, .line = record_.line, .tick = record_.tick};
         break;
       }
-      if (timer.delay_s() > max_delay_s_ && !outcome_.too_late) {
-        outcome_.too_late =
-            TickGap{.duration_s = timer.delay_s(), .line = record_.line, .tick = record_.tick};
-        planning.stop();
-      }
+      stop_where_late(timer, planning);
       // Without planning the ticks still have a whole way to rest.
       is_over = tick(recorder, planning) || (planning.failed() && !(setpoint_.v_mm_s > 0.0));
       outcome_.tick_times.add(TickTimer::now_ns() - begin_ns);
@@ -175,6 +171,13 @@ class Ticks {
   }
 
  private:
+  void stop_where_late(const TickTimer& timer, PlanningThread& planning) noexcept {
+    if (timer.delay_s() > max_delay_s_ && !outcome_.too_late) {
+      outcome_.too_late =
+          TickGap{.duration_s = timer.delay_s(), .line = record_.line, .tick = record_.tick};
+      planning.stop();
+    }
+  }
   // True: it was the last one.
   bool tick(RecorderThread& recorder, PlanningThread& planning) noexcept {
     Controller& controller = order_.controller;
