@@ -10,6 +10,8 @@
 #include <sys/un.h>
 #include <vector>
 
+#include <gtest/gtest.h>
+
 #include "machine/simulated_table.hpp"
 #include "programs/kerf/driver/loopback_machine.hpp"
 #include "tests/machine/tables.hpp"
@@ -98,6 +100,39 @@ struct LoopbackPair {
   std::string path = folder / "machine.sock";
   LoopbackPeer peer{path};
   tl::expected<std::unique_ptr<LoopbackMachine>, std::string> opened{nullptr};
+};
+
+inline Setpoint setpoint_at(std::int64_t tick) {
+  return {.tick = tick, .position_mm = {0.01 * static_cast<double>(tick), 0.0, 0.0}};
+}
+
+class Loopback : public testing::Test {
+ protected:
+  static constexpr int kTimeoutTicks = 10;
+
+  void SetUp() override {
+    ASSERT_TRUE(pair_.opened) << pair_.opened.error();
+    pair_.machine().enable({});
+  }
+  void write() { pair_.machine().write(setpoint_at(++tick_)); }
+  void run(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      write();
+      pair_.peer.serve();
+    }
+  }
+  // Ticks without an answer until it faults.
+  int ticks_to_fault() {
+    int ticks = 0;
+    for (; state().fault == machine::DriveFault::none && ticks < 10'000; ++ticks) {
+      write();
+    }
+    return ticks;
+  }
+  [[nodiscard]] machine::MachineState state() { return pair_.machine().read(); }
+
+  LoopbackPair pair_;
+  std::int64_t tick_ = 0;
 };
 
 }  // namespace kerf::program::test
