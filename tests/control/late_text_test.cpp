@@ -27,6 +27,13 @@ struct LateText : Shop {
     }
     ASSERT_EQ(controller.status().state, state);
   }
+  void goes_on_with_the_text() {
+    EXPECT_EQ(controller.status().waits_for, WaitsFor::text);
+    controller.feed("G1 X2\n");
+    controller.finish();
+    tick_until(State::idle);
+    EXPECT_EQ(setpoint.position_mm[0], 2.0);
+  }
 };
 
 // Found with a client: it was said to run.
@@ -38,11 +45,7 @@ TEST(Controller, WaitsForTextBehindAWaitThatIsAnswered) {
   shop.give(Command::resume);
   shop.tick(50);
   EXPECT_EQ(shop.controller.status().state, State::waiting);
-  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
-  shop.controller.feed("G1 X2\n");
-  shop.controller.finish();
-  shop.tick_until(State::idle);
-  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
+  shop.goes_on_with_the_text();
 }
 
 TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
@@ -53,11 +56,7 @@ TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
   shop.tick_until(State::held);
   shop.give(Command::resume);
   shop.tick_until(State::waiting);
-  EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
-  shop.controller.feed("G1 X2\n");
-  shop.controller.finish();
-  shop.tick_until(State::idle);
-  EXPECT_EQ(shop.setpoint.position_mm[0], 2.0);
+  shop.goes_on_with_the_text();
 }
 
 // Found with a client: it was said to wait for planning, so nobody stopped it once its client left.
