@@ -6,21 +6,19 @@ namespace kerf::lookahead {
 
 double EventTime::next_s(const parser::EventMove& event) noexcept {
   using parser::EventKind;
-  bool& turns = settings_.spindle_turns;
   switch (event.kind) {
     case EventKind::spindle_cw:
     case EventKind::spindle_ccw:
-      return std::exchange(turns, event.value != 0.0) || !turns || event.taps
-                 ? 0.0
-                 : settings_.spindle_start_s;
+      return std::exchange(turns_, event.value != 0.0) || !turns_ || event.taps ? 0.0
+                                                                                : spindle_start_s_;
     case EventKind::spindle_off:
     case EventKind::spindle_orient:
     case EventKind::program_end:
-      turns = false;
+      turns_ = false;
       return 0.0;
     case EventKind::tool_change:
-      turns = false;
-      return settings_.tool_change_s;
+      turns_ = false;
+      return tool_change_s_;
     default:
       return 0.0;
   }

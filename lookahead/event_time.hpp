@@ -19,13 +19,18 @@ class EventTime {
     double spindle_start_s = 0.0;
     bool spindle_turns = false;  // at the begin
   };
-  explicit EventTime(const Settings& settings) noexcept : settings_(settings) {}
+  explicit EventTime(const Settings& settings) noexcept
+      : tool_change_s_(settings.tool_change_s),
+        spindle_start_s_(settings.spindle_start_s),
+        turns_(settings.spindle_turns) {}
 
   // Of the next one, where nobody is asked.
   [[nodiscard]] double next_s(const parser::EventMove& event) noexcept;
 
  private:
-  Settings settings_;
+  double tool_change_s_;
+  double spindle_start_s_;
+  bool turns_;  // the spindle, behind the latest event
 };
 
 }  // namespace kerf::lookahead
