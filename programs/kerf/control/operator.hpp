@@ -49,8 +49,7 @@ class Operator {
   // Any thread. Somebody stopped the program, or what comes before it.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
   [[nodiscard]] bool has_started() const noexcept { return has_started_; }
-  // Of what somebody changed the first that the program by itself knows nothing of, in words; null:
-  // nothing.
+  // What somebody changed first that the program by itself does not know, in words; null: nothing.
   [[nodiscard]] const char* first_change() const noexcept { return first_change_; }
 
  private:
