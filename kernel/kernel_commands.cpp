@@ -1,5 +1,6 @@
 // What an operator asks of a kernel, and the plans that take over for it.
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "kernel/kernel_impl.hpp"
@@ -112,6 +113,13 @@ std::int64_t Kernel::Impl::takeover_tick() const {
   return std::min(tick + (margin_ticks_ << refusals_), last);
 }
 
+// Half of the time goes to the search for a shorter way.
+lookahead::StopOrder Kernel::Impl::stop_order() const {
+  const std::int64_t tick = takeover_tick();
+  const std::int64_t latest = std::midpoint(now(), tick);
+  return {.tick = tick, .is_late = [this, latest] { return now() > latest; }};
+}
+
 bool Kernel::Impl::hand_over(lookahead::Outbox&& plan, std::uint32_t from,
                              const lookahead::Planner::PlannedStopAhead* ahead) {
   switch (delivery_.take_over(std::move(plan), from, ahead)) {
@@ -167,8 +175,8 @@ bool Kernel::Impl::try_hold() {
   }
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
-  const std::int64_t tick = takeover_tick();
-  if (!(stops_ ? pipeline_.stop(tick, plan) : pipeline_.hold(tick, plan))) {
+  const lookahead::StopOrder order = stop_order();
+  if (!(stops_ ? pipeline_.stop(order, plan) : pipeline_.hold(order, plan))) {
     // A trapezoid that brakes all it can is stopped no sooner by any bounded jerk, for hundreds of
     // ticks on end: a search at each of them would leave no time to plan.
     next_hold_tick_ = now() + margin_ticks_ / 2;

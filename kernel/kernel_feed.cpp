@@ -68,7 +68,7 @@ void Kernel::Impl::try_hold_feed() {
   }
   lookahead::Outbox plan;
   const std::uint32_t from = pipeline_.plan();
-  if (!pipeline_.hold_feed(takeover_tick(), plan)) {
+  if (!pipeline_.hold_feed(stop_order(), plan)) {
     next_hold_tick_ = now() + margin_ticks_ / 2;
     return;
   }

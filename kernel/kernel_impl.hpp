@@ -217,6 +217,8 @@ class KERF_LOCAL Kernel::Impl {
   void settle(bool accepted);
   // The tick at which a plan takes over that is made now.
   [[nodiscard]] std::int64_t takeover_tick() const;
+  // Of a plan that rests, made now.
+  [[nodiscard]] lookahead::StopOrder stop_order() const;
 
   // A plan that takes over. False: it did not fit, and is dropped.
   bool hand_over(lookahead::Outbox&& plan, std::uint32_t from,

@@ -158,12 +158,12 @@ void Pipeline::follow(const interp::InquiryAnswer& answer) {
       {.line = line, .run_block = inquiry_.block, .follows = {.feed = false, .feed_stop = false}});
 }
 
-bool Pipeline::hold(std::int64_t tick, lookahead::Outbox& outbox) {
-  return took_over(planner_.hold(tick, outbox), outbox);
+bool Pipeline::hold(const lookahead::StopOrder& order, lookahead::Outbox& outbox) {
+  return took_over(planner_.hold(order, outbox), outbox);
 }
 
-bool Pipeline::hold_feed(std::int64_t tick, lookahead::Outbox& outbox) {
-  return took_over(planner_.hold_feed(tick, outbox), outbox);
+bool Pipeline::hold_feed(const lookahead::StopOrder& order, lookahead::Outbox& outbox) {
+  return took_over(planner_.hold_feed(order, outbox), outbox);
 }
 
 std::optional<lookahead::Planner::ChangedPlan> Pipeline::change_plan(
@@ -177,8 +177,8 @@ std::optional<lookahead::Planner::ChangedPlan> Pipeline::change_plan(
   return changed;
 }
 
-bool Pipeline::stop(std::int64_t tick, lookahead::Outbox& outbox) {
-  if (!planner_.stop(tick, outbox)) {
+bool Pipeline::stop(const lookahead::StopOrder& order, lookahead::Outbox& outbox) {
+  if (!planner_.stop(order, outbox)) {
     return false;
   }
   finished_ = true;

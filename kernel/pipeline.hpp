@@ -58,12 +58,12 @@ class Pipeline {
   // The plan comes to rest after what was read so far; more text continues it.
   void plan_to_rest() { planner_.plan_to_rest(); }
   // Planner::hold, into an outbox that is empty.
-  bool hold(std::int64_t tick, lookahead::Outbox& outbox);
+  bool hold(const lookahead::StopOrder& order, lookahead::Outbox& outbox);
   // Planner's.
   void stop_feed(const lookahead::StoppedFeed& stopped) noexcept { planner_.stop_feed(stopped); }
   [[nodiscard]] bool is_held_by_feed() const noexcept { return planner_.is_held_by_feed(); }
   [[nodiscard]] bool feed_lets_go() const noexcept { return planner_.feed_lets_go(); }
-  bool hold_feed(std::int64_t tick, lookahead::Outbox& outbox);
+  bool hold_feed(const lookahead::StopOrder& order, lookahead::Outbox& outbox);
   // Planner::change_plan, into an outbox that is empty.
   std::optional<lookahead::Planner::ChangedPlan> change_plan(
       const lookahead::Planner::PlanChange& change, lookahead::Outbox& outbox);
@@ -87,7 +87,7 @@ class Pipeline {
   // The machine has answered it.
   void follow(const interp::InquiryAnswer& answer);
   // Planner::stop; the rest of the program is dropped.
-  bool stop(std::int64_t tick, lookahead::Outbox& outbox);
+  bool stop(const lookahead::StopOrder& order, lookahead::Outbox& outbox);
   void stop_held();
   [[nodiscard]] bool wants_block() const noexcept { return planner_.wants_block(); }
   [[nodiscard]] bool is_held() const noexcept { return planner_.is_held(); }

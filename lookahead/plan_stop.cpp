@@ -63,10 +63,11 @@ std::int64_t rest_tick(const PlanStop& stop, double period_s) {
 }
 
 std::optional<PlanStop> first_of_shortest(const Emitter& emitter,
-                                          const std::vector<const Block*>& ahead, std::int64_t tick,
-                                          const PlanLimits& limits) {
-  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, tick, limits)) {
-    if (auto parts = find_braking(braking_from(emitter.kept(), motion, ahead), limits)) {
+                                          const std::vector<const Block*>& ahead,
+                                          const StopOrder& order, const PlanLimits& limits) {
+  for (const EmittedItems::Motion& motion : motions_to_stop_from(emitter, order.tick, limits)) {
+    if (auto parts =
+            find_braking(braking_from(emitter.kept(), motion, ahead), limits, order.is_late)) {
       return PlanStop{.from = motion, .parts = *std::move(parts)};
     }
   }
@@ -98,7 +99,7 @@ std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<cons
   }
   std::optional<PlanStop> found = order.effort == StopEffort::any
                                       ? first_of_any(emitter, ahead, tick, limits)
-                                      : first_of_shortest(emitter, ahead, tick, limits);
+                                      : first_of_shortest(emitter, ahead, order, limits);
   const auto rest = emitter.kept().rest_after(tick);
   if (rest && !(found && rest_tick(*found, limits.period_s) < *rest)) {
     return PlanStop{.from = emitter.motion_at(*rest)};

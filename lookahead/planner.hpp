@@ -96,12 +96,12 @@ class Planner {
   void plan_to_rest();
   // A feed hold; where the tool rests and waits for the machine, and within a tap, it is refused:
   // ask again behind that. A new plan that takes over at the tick or some ticks later and comes to
-  // rest as soon as the limits allow, or at the rest of the present plan if that is as near. The
+  // rest as soon as the order has it, or at the rest of the present plan if that is as near. The
   // outbox, which is empty before, gets its phases, and what they begin on; none where the program
   // has ended by then, or waits() at the rest of the present plan. What follows waits for resume().
   // Precondition: may_hold, it does not hold but by the feed. False: no way was found, and nothing
   // has changed; ask again with a later tick, or when more was emitted.
-  bool hold(std::int64_t tick, Outbox& outbox);
+  bool hold(const StopOrder& order, Outbox& outbox);
   // From now on nothing begins to move that the feed stops: the plan is held there, at rest, and
   // goes on with resume(). What was emitted is not taken back.
   void stop_feed(const StoppedFeed& stopped) noexcept { stopped_feed_ = stopped; }
@@ -114,7 +114,7 @@ class Planner {
   // As hold(), because the feed stops: what was emitted and follows it, or the motion that begins
   // so behind a rest that is near. False as well where there is none; stop_feed() sees to all that
   // is not emitted yet.
-  bool hold_feed(std::int64_t tick, Outbox& outbox);
+  bool hold_feed(const StopOrder& order, Outbox& outbox);
   // The end of what was emitted before the plan that is to take over is lost: it is no way to rest.
   void cut_plan_before() { before_->is_cut = true; }
   // Whether the tick side took the plan that was to take over. If not, there is none any more; ask
@@ -171,7 +171,7 @@ class Planner {
   // was emitted before ends in motion, so that another has to take over.
   [[nodiscard]] bool awaits_answer() const noexcept { return before_.has_value() || is_cut_; }
   // As hold(), but the program ends at that rest.
-  bool stop(std::int64_t tick, Outbox& outbox);
+  bool stop(const StopOrder& order, Outbox& outbox);
   // Ends the program where it is held. Precondition: is_held(), settle().
   void stop_held();
   [[nodiscard]] bool is_held() const noexcept { return held_.has_value(); }
@@ -211,7 +211,7 @@ class Planner {
   // What is emitted next begins to move from rest, and the feed stops it.
   [[nodiscard]] bool is_stopped_by_feed() const;
   void hold_by_feed(Outbox& outbox);
-  [[nodiscard]] std::optional<PlanStop> feed_stop_from(std::int64_t tick) const;
+  [[nodiscard]] std::optional<PlanStop> feed_stop_by(const StopOrder& order) const;
   // Not within a tap.
   [[nodiscard]] bool may_hold_at(const EmittedItems::Motion& motion) const;
   void emit_rest(Outbox& outbox);
@@ -221,7 +221,7 @@ class Planner {
   [[nodiscard]] ClassicalSchedule::Settings classical_settings() const;
   [[nodiscard]] std::unique_ptr<Schedule> new_schedule() const;
   bool hold_at(const PlanStop& stop, Outbox& outbox);
-  [[nodiscard]] std::optional<PlanStop> find_stop_at(std::int64_t tick) const;
+  [[nodiscard]] std::optional<PlanStop> find_our_stop(const StopOrder& order) const;
   // What waits up to the wait for the machine, and that: the block that the tool is on ends at
   // s_mm. The wait.
   Rest drop_to_machine_wait(double s_mm);

@@ -55,7 +55,7 @@ std::optional<Planner::ChangedPlan> Planner::change_plan(const PlanChange& chang
     limit_waiting();
     return ChangedPlan{};
   }
-  const auto stop = find_stop(emitter_, blocks_ahead(), {.tick = change.tick}, settings_.limits);
+  const auto stop = find_our_stop({.tick = change.tick});
   const double wait_s = static_cast<double>(stop ? stop->from.when.tick - change.tick : 0) *
                         settings_.limits.period_s;
   if (!stop || (stop->parts.empty() && wait_s > kFarRest_s)) {

@@ -45,9 +45,9 @@ void Planner::hold_by_feed(Outbox& outbox) {
   emitter_.keep(outbox, first);
 }
 
-bool Planner::hold_feed(std::int64_t tick, Outbox& outbox) {
+bool Planner::hold_feed(const StopOrder& order, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  const auto stop = feed_stop_from(tick);
+  const auto stop = feed_stop_by(order);
   if (!stop || !hold_at(*stop, outbox)) {
     return false;
   }
@@ -58,7 +58,8 @@ bool Planner::hold_feed(std::int64_t tick, Outbox& outbox) {
 }
 
 // Where a rest of the plan is as near as any other, it counts what begins behind that.
-std::optional<PlanStop> Planner::feed_stop_from(std::int64_t tick) const {
+std::optional<PlanStop> Planner::feed_stop_by(const StopOrder& order) const {
+  const std::int64_t tick = order.tick;
   const EmittedItems& kept = emitter_.kept();
   const EmittedItems::Motion motion = emitter_.motion_at(tick);
   std::int64_t rests_from = tick;
@@ -67,7 +68,7 @@ std::optional<PlanStop> Planner::feed_stop_from(std::int64_t tick) const {
       return PlanStop{.from = motion};
     }
     if (!motion.at_rest()) {
-      auto stop = find_stop_at(tick);
+      auto stop = find_our_stop(order);
       if (!stop || !stop->parts.empty()) {
         return stop;
       }

@@ -37,9 +37,9 @@ std::vector<const Block*> Planner::blocks_ahead() const {
   return ahead;
 }
 
-bool Planner::hold(std::int64_t tick, Outbox& outbox) {
+bool Planner::hold(const StopOrder& order, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  const auto stop = find_stop_at(tick);
+  const auto stop = find_our_stop(order);
   if (stop && waits_ && emitter_.kept().is_last(stop->from)) {
     return !asks_machine_;
   }
@@ -60,8 +60,8 @@ bool Planner::may_hold_at(const EmittedItems::Motion& motion) const {
   return emitter_.kept().is_last(motion) && !is_tap_left;
 }
 
-std::optional<PlanStop> Planner::find_stop_at(std::int64_t tick) const {
-  return find_stop(emitter_, blocks_ahead(), {.tick = tick}, settings_.limits);
+std::optional<PlanStop> Planner::find_our_stop(const StopOrder& order) const {
+  return find_stop(emitter_, blocks_ahead(), order, settings_.limits);
 }
 
 bool Planner::hold_at(const PlanStop& stop, Outbox& outbox) {
@@ -181,9 +181,9 @@ Rest Planner::drop_to_machine_wait(double s_mm) {
   return rest;
 }
 
-bool Planner::stop(std::int64_t tick, Outbox& outbox) {
+bool Planner::stop(const StopOrder& order, Outbox& outbox) {
   assert(settings_.may_hold && !before_ && outbox.phases.empty());
-  const auto stop = find_stop_at(tick);
+  const auto stop = find_our_stop(order);
   if (!stop || !may_hold_at(stop->from) || !hold_at(*stop, outbox)) {
     return false;
   }

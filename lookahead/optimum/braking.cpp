@@ -136,12 +136,13 @@ std::array<BrakingLaw, 3> laws_of(const profiles::SCurveStop& stop) {
 }
 
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
-                                                     const PlanLimits& limits) {
+                                                     const PlanLimits& limits,
+                                                     const IsLate& is_late) {
   if (from.blocks.empty()) {
     return std::nullopt;
   }
   auto parts = stop_on_line(from, limits);
-  return parts ? std::move(parts) : StopSearch(from, limits).shortest();
+  return parts ? std::move(parts) : StopSearch(from, limits).shortest(is_late);
 }
 
 std::optional<FoundBraking> find_any_braking(const std::vector<BrakingFrom>& motions,

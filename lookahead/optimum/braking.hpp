@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -61,12 +62,17 @@ std::optional<std::vector<BrakingPart>> parts_of(std::span<const BrakingLaw> law
                                                  const BrakingFrom& from);
 std::array<BrakingLaw, 3> laws_of(const profiles::SCurveStop& stop);
 
+// Asked between the tries of a search. True: a shorter way would come too late. Empty: never.
+using IsLate = std::function<bool()>;
+
 // On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the
-// shortest that is found of that S-curve, laid over the blocks, of steps, and of time optima to
-// rests at distances between; over more than some hundred cells of the first two alone. Nothing: no
-// way was found; from a place farther on there may be one, as where the plan already lands.
+// shortest that is found in time of that S-curve, laid over the blocks, of steps, and of time
+// optima to rests at distances between; over more than some hundred cells of the first two alone.
+// Nothing: no way was found; from a place farther on there may be one, as where the plan already
+// lands.
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
-                                                     const PlanLimits& limits);
+                                                     const PlanLimits& limits,
+                                                     const IsLate& is_late = {});
 
 // Any way from any of the motions, for it is cheap: on a line as above, else one S-curve, or the
 // optimum to a rest at one distance, far enough that there is a way in most cases. Where there is

@@ -17,8 +17,10 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kStep = 1.06;
-// Over the way of the S-curve, until one is far enough.
-constexpr std::array<double, 6> kDistances{1.01, 1.3, 1.7, 2.2, 3.1, 4.6};
+// Over the way of the S-curve, where that or the steps have one: the optimum may be as short.
+constexpr double kNearest = 1.01;
+// Over the way of the S-curve, until one is far enough; the last where those before are not known.
+constexpr std::array<double, 5> kDistances{2.2, 3.1, 4.6, 1.5, 1.05};
 constexpr std::array<double, kStopDistances.size()> kDistancesOfAny{1.7, 3.1, 5.6};
 constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
@@ -143,9 +145,13 @@ bool StopSearch::reaches_end(double distance_mm) const {
   return way_.knows(distance_mm) && cut_at(distance_mm, way_.path(), cells);
 }
 
-std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
+bool StopSearch::is_in_reach(double distance_mm) const {
   const auto rest = way_.place_at({.way_mm = distance_mm});
-  if (!way_.knows(distance_mm) || (rest && rest->cell >= kMaxCells)) {
+  return way_.knows(distance_mm) && !(rest && rest->cell >= kMaxCells);
+}
+
+std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
+  if (!is_in_reach(distance_mm)) {
     is_end = false;
     return std::nullopt;
   }
@@ -188,32 +194,35 @@ std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) c
   return distance == StopDistance::farthest ? steepest() : std::nullopt;
 }
 
-// The distance grows until a way is found, that of the S-curve or of steps at the latest, and is
-// then divided down to kStep.
-std::optional<std::vector<BrakingPart>> StopSearch::shortest() const {
+// Once there is a way, what is between it and the longest distance without one is divided down to
+// kStep. The S-curve is taken to be such a one.
+std::optional<std::vector<BrakingPart>> StopSearch::shortest(const IsLate& is_late) const {
   if (way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
     return in_closed_form();
   }
   std::optional<std::vector<BrakingPart>> best = shorter(s_curve_parts(1.0), steepest());
-  double too_short_mm = 0.0;
+  double too_short_mm = s_curve_.back().s_mm;
   double distance_mm = best ? way_mm(*best) : kUnbounded;
   bool is_end = false;
   const auto try_at = [&](double to_rest_mm) {
     if (const auto plan = to_rest_at(to_rest_mm, is_end)) {
       best = parts(*plan);
-      distance_mm = to_rest_mm;
+      distance_mm = std::min(way_mm(*best), to_rest_mm);
     } else {
       too_short_mm = to_rest_mm;
     }
-    return distance_mm == to_rest_mm;
   };
-  for (std::size_t i = 0; i < kDistances.size() && !is_end; ++i) {
+  const auto has_time = [&is_late] { return !is_late || !is_late(); };
+  if (best && distance_mm > kNearest * too_short_mm && has_time()) {
+    try_at(kNearest * too_short_mm);
+  }
+  for (std::size_t i = 0; i < kDistances.size() && !best && !is_end; ++i) {
     const double next_mm = kDistances[i] * s_curve_.back().s_mm;
-    if (next_mm >= distance_mm || try_at(next_mm)) {
-      break;
+    if (next_mm > too_short_mm && is_in_reach(next_mm)) {
+      try_at(next_mm);
     }
   }
-  while (best && too_short_mm > 0.0 && distance_mm > kStep * too_short_mm) {
+  while (best && distance_mm > kStep * too_short_mm && has_time()) {
     try_at(std::sqrt(too_short_mm * distance_mm));
   }
   return best ? std::move(best) : in_closed_form();

@@ -44,5 +44,60 @@ TEST(Braking, OverManyShortLinesIsThatOnTheLineWhichTheyMake) {
   }
 }
 
+double way_mm(const std::vector<BrakingPart>& parts) {
+  double sum_mm = 0.0;
+  for (const BrakingPart& part : parts) {
+    sum_mm += part.law.length_mm();
+  }
+  return sum_mm;
+}
+
+TEST(Braking, ThatIsLateIsTheShortestWayFoundSoFar) {
+  const PlanLimits limits = mill();
+  const std::vector<Block> blocks =
+      blocks_of({nurbs_move(curves::testing::shipped_curve("butterfly"), 60.0)}, limits);
+  int shorter = 0;
+  for (double s_mm = 5.0; s_mm < 0.8 * blocks.front().length_mm; s_mm += 12.0) {
+    SCOPED_TRACE(s_mm);
+    BrakingFrom from = from_begin_of(blocks, 20.0);
+    from.s_mm = s_mm;
+    const auto shortest = find_braking(from, limits);
+    if (!shortest) {
+      continue;  // too fast in a bend
+    }
+    double last_mm = kUnbounded;
+    for (int tries = 0; tries <= 16; ++tries) {
+      int asked = 0;
+      const auto found = find_braking(from, limits, [&] { return ++asked > tries; });
+      ASSERT_TRUE(found);
+      EXPECT_LE(asked, tries + 2);
+      EXPECT_LE(way_mm(*found), last_mm);
+      shorter += last_mm < kUnbounded && way_mm(*found) < last_mm ? 1 : 0;
+      last_mm = way_mm(*found);
+    }
+    EXPECT_EQ(last_mm, way_mm(*shortest));
+  }
+  EXPECT_GT(shorter, 0);
+}
+
+// Found by a soak: a rest within a micrometre of a block's end is at that end, and no nearer one
+// was ever found.
+TEST(Braking, OverMicrometresToABlockEndIsFoundInAFewTries) {
+  const PlanLimits limits = mill();
+  const std::vector<Block> blocks = blocks_of(mixed_moves(), limits);
+  for (const double v_mm_s : {0.004, 0.008, 0.016}) {
+    for (double left_mm = 5e-7; left_mm < 2e-5; left_mm *= 1.1) {
+      SCOPED_TRACE(left_mm);
+      BrakingFrom from = from_begin_of(blocks, v_mm_s);
+      from.blocks.erase(from.blocks.begin());
+      from.s_mm = from.blocks.front()->length_mm - left_mm;
+      int asked = 0;
+      const auto found = find_braking(from, limits, [&] { return ++asked > 100; });
+      EXPECT_TRUE(found);
+      EXPECT_LE(asked, 20);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace kerf::lookahead::test

@@ -107,7 +107,7 @@ TEST(LineMarks, AStopOnTheWayIsOfTheLineWhereItEnds) {
       ASSERT_TRUE(planner.emit(outbox));
     }
     Outbox stop;
-    ASSERT_TRUE(planner.stop(outbox.phases.back().begin.tick, stop));
+    ASSERT_TRUE(planner.stop({.tick = outbox.phases.back().begin.tick}, stop));
     const interp::Phase& rest = stop.phases.back();
     ASSERT_TRUE(rest.ends_program);
     EXPECT_EQ(rest.line, blocks[rest.curve - 1].mark_at(rest.s_begin_mm).line);

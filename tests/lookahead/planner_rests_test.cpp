@@ -101,7 +101,7 @@ TEST(Planner, HoldsFromTheMotionThatItsPlanHasAtTheTick) {
   }
   const Motion before(outbox.phases, kTs);
   Outbox hold;
-  ASSERT_TRUE(planner.hold(outbox.phases.back().begin.tick - 20, hold));
+  ASSERT_TRUE(planner.hold({.tick = outbox.phases.back().begin.tick - 20}, hold));
   planner.settle(true);
   expect_contiguous(hold.phases);
   const Motion motion(hold.phases, kTs);
