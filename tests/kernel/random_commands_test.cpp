@@ -54,6 +54,14 @@ TEST(RandomCommandsAgain, ChangeThePlanRightBehindACorner) {
   EXPECT_EQ(steps.complaint, "") << steps.commands;
 }
 
+// A cruise that another plan had cut short was taken to go to its end there.
+TEST(RandomCommandsAgain, BrakeBehindACruiseThatWasCutShort) {
+  for (const std::uint64_t seed : {98'016'160U, 98'019'409U}) {
+    const CommandedRun run = commanded_run(seed);
+    EXPECT_EQ(run.complaint, "") << "seed " << seed << ": " << run.commands;
+  }
+}
+
 // A part of the next ramp, shorter than a tick, was planned behind the rest: that was taken for the
 // plan's end, and the tool was left in the ramp without a way to rest.
 TEST(RandomCommandsAgain, RestWherePlanningIsLateRightBehindARest) {
