@@ -9,6 +9,7 @@ import unittest
 sys.dont_write_bytecode = True
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
+import browser  # noqa: E402
 import error_pages  # noqa: E402
 import front_door  # noqa: E402
 import includes  # noqa: E402
@@ -241,6 +242,27 @@ class NamesakeRule(Checkout):
         self.write("smoothing/other.cpp", "using Block = std::array<int, 3>;\n")
         self.assertEqual(self.found(), ["smoothing/local.cpp:2: error: Block is the name of another type, in parser/block.hpp",
                                         "smoothing/other.cpp:1: error: Block is the name of another type, in parser/block.hpp"])
+
+
+class BrowserRule(Checkout):
+    def setUp(self):
+        super().setUp()
+        self.write("web/kernel/CMakeLists.txt", "foreach(folder parser curves\n    kernel)\n")
+        self.write("web/kernel/libcxx14.hpp", "constexpr auto find(Range&& range) {\nvoid stable_sort(Range&& range,\n  return copy(range);\n")
+
+    def found(self):
+        return list(browser.findings(self.root))
+
+    def test_accepts_what_the_library_is_given(self):
+        self.write("kernel/a.cpp", "std::ranges::find(a, b);\nstd::ranges::stable_sort(a);\n  assert(std::ranges::is_sorted(a));\n")
+        self.write("bench/a.cpp", "std::ranges::equal(a, b);\n")
+        self.assertEqual(self.found(), [])
+
+    def test_finds_what_it_lacks(self):
+        self.write("kernel/a.hpp", "\nreturn std::ranges::equal(a, b);\n")
+        self.write("parser/a.cpp", "std::ranges::copy(a, b);\n")
+        self.assertEqual(self.found(), ["parser/a.cpp:1: error: std::ranges::copy is not in web/kernel/libcxx14.hpp",
+                                        "kernel/a.hpp:2: error: std::ranges::equal is not in web/kernel/libcxx14.hpp"])
 
 
 class ReferenceRule(Checkout):
