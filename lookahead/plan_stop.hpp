@@ -23,7 +23,7 @@ enum class StopEffort : std::uint8_t { shortest, any };
 struct StopOrder {
   std::int64_t tick = 0;
   StopEffort effort = StopEffort::shortest;
-  IsLate is_late{};  // of the shortest
+  IsLate is_late = never_late;  // of the shortest
 };
 // From the tick on or some ticks later; or at the rest of the plan itself, if that is as near.
 // ahead: the blocks, whole, behind those that were emitted, up to a rest. Nothing: no way was

@@ -79,8 +79,7 @@ std::vector<EmittedItems::Motion> EmittedItems::ends_within(const Ticks& ticks) 
   std::vector<Motion> ends;
   for (std::size_t i = 1; i < phases_.size() && phases_[i].begin.tick < ticks.end; ++i) {
     const interp::Phase& phase = phases_[i - 1];
-    if (phases_[i].begin.tick >= ticks.begin && !phase.ends_at_rest &&
-        !is_cut_short(phase, phases_[i])) {
+    if (phases_[i].begin.tick >= ticks.begin && !phase.ends_at_rest && !is_cut_short(i - 1)) {
       ends.push_back({.when = phases_[i].begin,
                       .v_mm_s = phase.law.ramp().v_end_mm_s,
                       .a_mm_s2 = phase.law.at(phase.law.duration_s()).a_mm_s2,
@@ -120,9 +119,9 @@ interp::TickTime EmittedItems::end_of(const interp::Phase& phase) const {
 }
 
 // What ends so close behind the next begins there: the clock rounds to ticks.
-bool EmittedItems::is_cut_short(const interp::Phase& phase, const interp::Phase& next) const {
-  const interp::TickTime end = end_of(phase);
-  return since_s(next.begin, end.tick) + end.offset_s > 10.0 * kTickRounding * period_s_;
+bool EmittedItems::is_cut_short(std::size_t i) const {
+  const interp::TickTime end = end_of(phases_[i]);
+  return since_s(phases_[i + 1].begin, end.tick) + end.offset_s > 10.0 * kTickRounding * period_s_;
 }
 
 std::int64_t EmittedItems::end_tick(const interp::Phase& phase) const {

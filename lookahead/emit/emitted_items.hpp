@@ -151,8 +151,8 @@ class EmittedItems {
   // What is left of a dwell; nothing: it is over.
   [[nodiscard]] std::optional<Rest> part(Entry& entry, const Motion& motion) const;
   [[nodiscard]] interp::TickTime end_of(const interp::Phase& phase) const;
-  // The next, of another plan, begins before its end.
-  [[nodiscard]] bool is_cut_short(const interp::Phase& phase, const interp::Phase& next) const;
+  // Of a phase that is not the last: the next, of another plan, begins before its end.
+  [[nodiscard]] bool is_cut_short(std::size_t i) const;
   [[nodiscard]] std::int64_t end_tick(const interp::Phase& phase) const;
   [[nodiscard]] double since_s(const interp::TickTime& begin, std::int64_t tick) const {
     return static_cast<double>(tick - begin.tick) * period_s_ - begin.offset_s;

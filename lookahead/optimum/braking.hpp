@@ -62,8 +62,11 @@ std::optional<std::vector<BrakingPart>> parts_of(std::span<const BrakingLaw> law
                                                  const BrakingFrom& from);
 std::array<BrakingLaw, 3> laws_of(const profiles::SCurveStop& stop);
 
-// Asked between the tries of a search. True: a shorter way would come too late. Empty: never.
+// Asked between the tries of a search. True: a shorter way would come too late.
 using IsLate = std::function<bool()>;
+inline bool never_late() {
+  return false;
+}
 
 // On a line alone, the S-curve from any acceleration to rest, in closed form. Elsewhere the
 // shortest that is found in time of that S-curve, laid over the blocks, of steps, and of time
@@ -72,7 +75,7 @@ using IsLate = std::function<bool()>;
 // lands.
 std::optional<std::vector<BrakingPart>> find_braking(const BrakingFrom& from,
                                                      const PlanLimits& limits,
-                                                     const IsLate& is_late = {});
+                                                     const IsLate& is_late = never_late);
 
 // Any way from any of the motions, for it is cheap: on a line as above, else one S-curve, or the
 // optimum to a rest at one distance, far enough that there is a way in most cases. Where there is

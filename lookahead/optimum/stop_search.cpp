@@ -200,32 +200,31 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest(const IsLate& is_la
   if (way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
     return in_closed_form();
   }
-  std::optional<std::vector<BrakingPart>> best = shorter(s_curve_parts(1.0), steepest());
-  double too_short_mm = s_curve_.back().s_mm;
-  double distance_mm = best ? way_mm(*best) : kUnbounded;
-  bool is_end = false;
-  const auto try_at = [&](double to_rest_mm) {
-    if (const auto plan = to_rest_at(to_rest_mm, is_end)) {
-      best = parts(*plan);
-      distance_mm = std::min(way_mm(*best), to_rest_mm);
-    } else {
-      too_short_mm = to_rest_mm;
-    }
-  };
-  const auto has_time = [&is_late] { return !is_late || !is_late(); };
-  if (best && distance_mm > kNearest * too_short_mm && has_time()) {
-    try_at(kNearest * too_short_mm);
+  const double s_curve_mm = s_curve_.back().s_mm;
+  Tried tried{.best = shorter(s_curve_parts(1.0), steepest()), .too_short_mm = s_curve_mm};
+  tried.best_mm = tried.best ? way_mm(*tried.best) : kUnbounded;
+  if (tried.best && tried.best_mm > kNearest * s_curve_mm && !is_late()) {
+    try_at(kNearest * s_curve_mm, tried);
   }
-  for (std::size_t i = 0; i < kDistances.size() && !best && !is_end; ++i) {
-    const double next_mm = kDistances[i] * s_curve_.back().s_mm;
-    if (next_mm > too_short_mm && is_in_reach(next_mm)) {
-      try_at(next_mm);
+  for (std::size_t i = 0; i < kDistances.size() && !tried.best && !tried.is_end; ++i) {
+    const double next_mm = kDistances[i] * s_curve_mm;
+    if (next_mm > tried.too_short_mm && is_in_reach(next_mm)) {
+      try_at(next_mm, tried);
     }
   }
-  while (best && distance_mm > kStep * too_short_mm && has_time()) {
-    try_at(std::sqrt(too_short_mm * distance_mm));
+  while (tried.best && tried.best_mm > kStep * tried.too_short_mm && !is_late()) {
+    try_at(std::sqrt(tried.too_short_mm * tried.best_mm), tried);
   }
-  return best ? std::move(best) : in_closed_form();
+  return tried.best ? std::move(tried.best) : in_closed_form();
+}
+
+void StopSearch::try_at(double distance_mm, Tried& tried) const {
+  if (const auto plan = to_rest_at(distance_mm, tried.is_end)) {
+    tried.best = parts(*plan);
+    tried.best_mm = std::min(way_mm(*tried.best), distance_mm);
+  } else {
+    tried.too_short_mm = distance_mm;
+  }
 }
 
 std::optional<std::vector<BrakingPart>> StopSearch::in_closed_form() const {

@@ -55,6 +55,13 @@ class StopSearch {
   void begin_with_s_curve(double distance_mm, std::vector<Cell>& cells) const;
   // The distance reaches to the end of what is known: a rest at it is there.
   [[nodiscard]] bool reaches_end(double distance_mm) const;
+  struct Tried {
+    std::optional<std::vector<BrakingPart>> best{};
+    double best_mm = 0.0;
+    double too_short_mm = 0.0;  // the longest without a way
+    bool is_end = false;        // of the last distance: reaches_end()
+  };
+  void try_at(double distance_mm, Tried& tried) const;
   // That far the way is known, over no more cells than a search can have.
   [[nodiscard]] bool is_in_reach(double distance_mm) const;
   // is_end: reaches_end().
