@@ -105,6 +105,22 @@ class Control(ControlCase):
         self.assertEqual(waits, 2)
         self.end(process, 0)
 
+    def test_a_status_and_a_list_of_events_come_back_with_their_id(self):
+        process, client = self.start()
+        client.write('{"command":"status","id":{"a":7}}\n{"command":"status","every_s":0.02,"id":"beat"}\n{"command":"status"}\n')
+        statuses = [client.read_until(type="status") for _ in range(10)]
+        self.assertEqual(statuses[0]["id"], {"a": 7})
+        self.assertEqual(statuses[1]["id"], "beat")
+        self.assertNotIn("id", statuses[2])  # the third was asked without one
+        self.assertEqual({status["id"] for status in statuses[3:]}, {"beat"})
+        client.write('{"command":"status","every_s":0}\n')
+        client.events.clear()
+        answer = client.ask("events", since=1)
+        self.assertTrue(answer["accepted"])
+        self.assertEqual([event["number"] for event in client.events][:2], [1, 2])  # all of them stand before the answer
+        self.assertTrue(client.ask("stop")["accepted"])
+        self.end(process, 7)
+
     def test_optional_stops_and_block_delete_of_text_that_is_not_read_yet(self):
         long = "G21 G90 F6000\n" + "".join(f"G1 X{100 * (i % 2)} Y{i}\n" for i in range(1, 12)) + "M0\n/ G0 X150\n/3 G0 Z7\nM1\nG0 X3\nM2\n"
         process, client = self.start(long)
@@ -228,10 +244,10 @@ class Control(ControlCase):
 
     def test_a_client_that_has_said_all_hears_its_answers(self):
         process, client = self.start(LINE, [])
-        client.write('{"command":"hold","id":1}\n{"command":"resume","id":2}\n{"command":"events","since":1}\n')
+        client.write('{"command":"hold","id":1}\n{"command":"resume","id":2}\n{"command":"events","since":1,"id":3}\n')
         client.connection.shutdown(socket.SHUT_WR)
         heard = [json.loads(line) for line in client.reader]
-        self.assertEqual([one["id"] for one in heard if one["type"] == "answer"], [1, 2])
+        self.assertEqual(sorted(one["id"] for one in heard if one["type"] == "answer"), [1, 2, 3])
         process.wait(timeout=60)
 
     def test_a_home_switch_that_is_not_there(self):

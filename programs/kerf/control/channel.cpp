@@ -146,7 +146,7 @@ class ControlChannel::Server {
     for (const auto& client : clients_) {
       if (client->every.count() > 0 && now >= client->next_status) {
         client->next_status = now + client->every;
-        client->write(status_json(by_->status(), order_.extra));
+        client->write(status_json(client->every_id, by_->status(), order_.extra));
       }
     }
   }
@@ -180,9 +180,11 @@ class ControlChannel::Server {
       for (const std::string& event : events_since(request->since)) {
         client->write(event);
       }
+      client->write(accepted_json(*request, by_->status().state));
     } else if (request->kind == ControlRequest::Kind::status) {
-      client->write(status_json(by_->status(), order_.extra));
+      client->write(status_json(request->id, by_->status(), order_.extra));
       if (request->every_s) {
+        client->every_id = request->id;
         client->every = std::chrono::duration_cast<Clock::duration>(
             std::chrono::duration<double>(*request->every_s));
         client->next_status = Clock::now() + client->every;

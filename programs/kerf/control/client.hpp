@@ -85,6 +85,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   // Statuses that come by themselves; 0: none.
   std::chrono::steady_clock::duration every{0};
   std::chrono::steady_clock::time_point next_status{};
+  std::string every_id{"null"};  // of the request for them
 
  private:
   static constexpr std::size_t kLongestLine = 65'536;

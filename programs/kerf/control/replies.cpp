@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -101,12 +102,16 @@ std::string event_json(const ControllerEvent& event, const std::optional<Program
   return line_of(json);
 }
 
-std::string status_json(const ControllerStatus& status, parser::Letters extra) {
+std::string status_json(std::string_view id, const ControllerStatus& status,
+                        parser::Letters extra) {
   constexpr double kRadPerRevolution = 6.283185307179586477;
   const Setpoint& at = status.setpoint;
-  Json json{{"type", "status"},
-            {"state", key_of_name(name_of(status.state))},
-            {"waits_for", name_of(status.waits_for)}};
+  Json json{{"type", "status"}};
+  if (Json value = Json::parse(id); !value.is_null()) {
+    json["id"] = std::move(value);
+  }
+  json["state"] = key_of_name(name_of(status.state));
+  json["waits_for"] = name_of(status.waits_for);
   set_wait_cause(json, status.wait_cause);
   json["line"] = at.line;
   json["block"] = status.block;

@@ -23,7 +23,8 @@ std::string refused_json(const ControlRequest& request, ControllerState state,
 std::string bad_request_json(const BadRequest& request, ControllerState state);
 // message: of an event that is one; nothing: it is forgotten.
 std::string event_json(const ControllerEvent& event, const std::optional<ProgramMessage>& message);
-std::string status_json(const ControllerStatus& status, parser::Letters extra);
+// id: JSON, of the request; "null": it had none.
+std::string status_json(std::string_view id, const ControllerStatus& status, parser::Letters extra);
 std::string end_json(ExitStatus status);
 
 }  // namespace kerf::program
