@@ -38,6 +38,7 @@ class ExitStatus(Case):
                     self.assertEqual(square.read_text(), SQUARE)
         twice = self.path("twice")
         self.assertIn("would be written twice", self.kerf("dry-run", square, "--trace", twice, "--plot", f"{folder}/./twice", status=2).stderr)
+        self.assertIn("would be written twice", self.kerf("dry-run", square, "--trace", "./not-there", "--plot", "not-there", status=2).stderr)
         self.kerf("dry-run", square, "--trace", "/dev/null", "--plot", "/dev/null")
 
     def test_of_a_subprogram_that_would_be_written_over(self):

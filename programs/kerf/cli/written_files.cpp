@@ -21,9 +21,12 @@ bool are_one_file(const std::string& one, const std::string& other) {
       (fs::exists(one, error) && !fs::is_regular_file(one, error))) {
     return false;
   }
-  const fs::path whole = fs::weakly_canonical(one, error);
-  return fs::equivalent(one, other, error) ||
-         (!whole.empty() && whole == fs::weakly_canonical(other, error));
+  // What is not there at all stays relative otherwise.
+  const auto whole = [&error](const std::string& name) {
+    return fs::weakly_canonical(fs::absolute(name, error), error);
+  };
+  const fs::path path = whole(one);
+  return fs::equivalent(one, other, error) || (!path.empty() && path == whole(other));
 }
 
 std::vector<std::string> read_files(const Options& options, const AlsoRead& also) {
