@@ -62,6 +62,11 @@ TEST(Fit, SaysSoWhereNoOffsetWouldDo) {
             Words{"no work offset: Z leaves the travel by 40.000 mm wherever it lies"});
 }
 
+TEST(Fit, SaysWhereItFitsBetweenTwoThousandths) {
+  EXPECT_EQ(describe(*fit_of(path_along_x(0.0003, 400.0002), table())),
+            Words{"G54 X at -80.000250"});
+}
+
 TEST(Fit, MovesOnlyTheOffsetsThatAreToBlame) {
   CheckReport check = path_along_x(10.0, 50.0);
   check.extents.max_mm[0] = 310.0;

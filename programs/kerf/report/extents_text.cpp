@@ -105,8 +105,12 @@ std::string misfit_text(const FileReport& report) {
                      short_number(axis.travel.max_mm));
     }
   }
+  if (report.fit->extra_excess) {
+    fmt::format_to(std::back_inserter(text), "  other axes      {}\n", *report.fit->extra_excess);
+  }
+  const auto* label = report.fit->extra_excess ? "x, y, z fit with" : "would fit       ";
   for (const std::string& line : describe(*report.fit)) {
-    fmt::format_to(std::back_inserter(text), "  would fit       {}\n", line);
+    fmt::format_to(std::back_inserter(text), "  {}{}\n", label, line);
   }
   return text;
 }

@@ -27,6 +27,10 @@ std::string range_text(const OffsetRange& range) {
   // Inwards: an offset that is written here fits.
   const double low = std::ceil(range.min_mm * 1e3) / 1e3;
   const double high = std::floor(range.max_mm * 1e3) / 1e3;
+  if (high < low) {  // between two thousandths
+    constexpr int kNanometres = 6;
+    return fmt::format("at {}", fixed_number(0.5 * (range.min_mm + range.max_mm), kNanometres));
+  }
   if (!std::isfinite(low)) {
     return fmt::format("at most {}", fixed_number(high, 3));
   }
@@ -39,8 +43,8 @@ std::string range_text(const OffsetRange& range) {
 }  // namespace
 
 bool FitReport::fits() const noexcept {
-  return std::all_of(axes.begin(), axes.end(),
-                     [](const AxisFit& axis) { return axis.over_mm <= 0.0; });
+  return !extra_excess && std::all_of(axes.begin(), axes.end(),
+                                      [](const AxisFit& axis) { return axis.over_mm <= 0.0; });
 }
 
 std::string work_system_name(std::size_t system) {
@@ -62,6 +66,12 @@ std::optional<FitReport> fit_of(const CheckReport& check, const MachineSettings&
     fit.axes[k] = {.travel = travel,
                    .over_mm = over_mm({check.extents.min_mm[k], check.extents.max_mm[k]}, travel),
                    .fixed_over_mm = over_mm(offsets.fixed[k], travel)};
+  }
+  const auto& extra = check.extra_extents;
+  for (const auto& place_rad_mm : {extra.min_rad_mm, extra.max_rad_mm}) {
+    if (const auto excess = machine::outside_travel(settings.table.extra, place_rad_mm)) {
+      fit.extra_excess = machine::describe(*excess);
+    }
   }
   for (std::size_t system = 0; system < kWorkSystems; ++system) {
     OffsetFit one{.name = work_system_name(system),

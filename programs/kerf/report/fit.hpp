@@ -1,4 +1,4 @@
-// Whether a program's path fits into the travel of X, Y and Z, and with which work offsets it
+// Whether a program's path fits into the travel of the axes, and with which work offsets X, Y and Z
 // would.
 #pragma once
 
@@ -39,6 +39,9 @@ struct AxisFit {
 struct FitReport {
   std::array<AxisFit, 3> axes{};
   std::vector<OffsetFit> offsets;
+  // Of A, B, C, U, V, W the one that leaves its travel farthest, as a sentence: "a goes 80 deg
+  // beyond its upper limit of 720 deg".
+  std::optional<std::string> extra_excess{};
 
   [[nodiscard]] bool fits() const noexcept;
 };
@@ -50,7 +53,8 @@ struct FitReport {
 [[nodiscard]] std::optional<FitReport> fit_of(const CheckReport& check,
                                               const MachineSettings& settings);
 
-// "G54 X between 12 and 340", one for each axis that does not fit, or why no offset would do.
+// "G54 X between 12 and 340", one for each of X, Y and Z that does not fit, or why no offset would
+// do.
 [[nodiscard]] std::vector<std::string> describe(const FitReport& fit);
 
 }  // namespace kerf::program
