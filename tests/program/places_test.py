@@ -54,6 +54,13 @@ class Start(Case):
         for command in ("dry-run", "check"):
             self.assertIn("G91", self.kerf(command, part, "--start", "first-move", status=1).stderr)
 
+    def test_at_a_first_cut_along_a_curve_is_refused(self):
+        for cut in ("G2 X10 Y0 I5", "G2 X10 Y0 R6", "G5 X10 Y0 I1 J1 P-1 Q1"):
+            part = self.path("curve.ngc", f"G21 G90 F300\n{cut}\nM2\n")
+            self.assertIn("its first move is a curve", self.kerf("dry-run", part, "--start", "first-move", status=1).stderr)
+        lifted = self.path("lifted.ngc", "G21 G90 F300\nG0 Z5\nG2 X10 Y0 I5\nM2\n")
+        self.assertEqual(self.first_row(lifted, "--start", "first-move"), [0, 0, 5])
+
     def test_at_the_first_moves_of_a_loop_that_never_cuts_ends(self):
         part = self.path("loop.ngc", "G21 G90 G61\no1 while [1 EQ 1]\nG0 X1\nG0 X0\no1 endwhile\nM2\n")
         self.assertIn("E1006", self.kerf("check", part, "--start", "first-move", "--max-moves", "1000", status=1).stderr)
@@ -106,6 +113,17 @@ class Fit(Case):
             self.assertFalse(fit["fits"])
             self.assertEqual(fit["axes"]["x"], {"travel_mm": [-500, 500], "over_mm": 15, "fixed_over_mm": 0})
             self.assertEqual(fit["work_offsets"][0]["axes"]["x"], {"origin_mm": 395, "min_mm": -600, "max_mm": 380, "fits_somewhere": True})
+
+    def test_what_another_axis_leaves_its_travel_by_does_not_fit(self):
+        machine = self.path("turning.toml", "[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\n[axes.a]\nmin_deg = -720\nmax_deg = 720\nmax_velocity_deg_s = 100\nmax_acceleration_deg_s2 = 1000\nmax_jerk_deg_s3 = 10000\n")
+        for program, text in (("G1 A800 F600", "  other axes      a goes 80 deg beyond its upper limit of 720 deg\n"),
+                              ("G1 X600 A-721 F600", "  other axes      a goes 1 deg beyond its lower limit of -720 deg\n")):
+            part = self.path("turn.ngc", f"G21 G90\n{program}\nM2\n")
+            done = self.kerf("check", part, "--machine", machine, status=4)
+            self.assertIn("turn.ngc: does not fit\n", done.stdout)
+            self.assertIn(text, done.stdout)
+            self.assertNotIn("would fit", done.stdout)
+            self.assertFalse(json.loads(self.kerf("check", part, "--machine", machine, "--json", status=4).stdout)["fit"]["fits"])
 
     def test_is_true_at_both_ends_of_the_range_and_not_beyond(self):
         part = self.path("part.ngc", PART)

@@ -40,10 +40,13 @@ class FirstPlaces {
     for (std::size_t k = 0; k < 3; ++k) {
       if (!places_[k] && (*end)[k] != move.start_mm[k]) {
         places_[k] = FirstPlace{.block = move.block, .mm = (*end)[k]};
+        of_curve_ = of_curve_ || !std::holds_alternative<parser::LineMove>(move.shape);
       }
     }
     return move.rapid && !(places_[0] && places_[1] && places_[2]);
   }
+  // One of them is where an arc or a curve ends, whose way there depends on where it begins.
+  [[nodiscard]] bool of_curve() const { return of_curve_; }
   [[nodiscard]] bool is_empty() const { return !places_[0] && !places_[1] && !places_[2]; }
 
   [[nodiscard]] Position from(const Position& start_mm) const {
@@ -85,6 +88,7 @@ class FirstPlaces {
 
  private:
   std::array<std::optional<FirstPlace>, 3> places_{};
+  bool of_curve_ = false;
 };
 
 // A rapid to where the tool is already is no move, so rapids are read from where no program leads.
@@ -146,11 +150,11 @@ tl::expected<Position, std::string> first_places(ProgramFile& file, const Machin
                      [&](const parser::Move& move) { return again.look_at(move, LookAt::rapids); });
     agrees = places.lead_as(again);
   } else if (read) {
-    // A cut may be an arc, which there is from its own start alone: from where it leads it must
-    // lead to the same places.
+    // A cut may be an arc, which there is from its own start alone. A line must lead to the same
+    // places from where it leads.
     read = read_from(options.start_mm,
                      [&](const parser::Move& move) { return places.look_at(move, LookAt::cuts); });
-    if (read) {
+    if (read && !places.of_curve()) {
       read = read_from(places.from(options.start_mm), [&](const parser::Move& move) {
         agrees = agrees && places.agrees(move);
         return agrees && move.block <= places.last_block();
@@ -160,10 +164,12 @@ tl::expected<Position, std::string> first_places(ProgramFile& file, const Machin
   if (!read) {
     return tl::unexpected(read.error());
   }
-  if (!agrees) {
-    return tl::unexpected(file.name() +
-                          ": its first moves are relative to the start (G91), so --start "
-                          "first-move has no place; take --start X,Y,Z");
+  if (!agrees || places.of_curve()) {
+    return tl::unexpected(
+        file.name() + ": its first " +
+        (agrees ? "move is a curve, whose way depends on" : "moves are relative to") +
+        " the start" + (agrees ? "" : " (G91)") +
+        ", so --start first-move has no place; take --start X,Y,Z");
   }
   return places.from(options.start_mm);
 }
