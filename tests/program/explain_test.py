@@ -119,6 +119,21 @@ class Explain(Case):
             self.assertAlmostEqual(block["begin_s"] - blocks[1]["begin_s"], 0.25)
         self.assertEqual(blocks[3]["duration_s"], 0.0)
 
+    def test_counts_the_first_pass_of_a_loop_alone(self):
+        moves = self.path("loop.ngc", "G21 G91 G61.1 F600\no1 repeat [3]\nG1 X10\no1 endrepeat\nG1 X10\nM2\n")
+        first, behind = self.explained(moves, 3), self.explained(moves, 5)
+        self.assertAlmostEqual(first["duration_s"], behind["duration_s"])  # each pass is such a line
+        self.assertAlmostEqual(behind["begin_s"] - first["begin_s"], 3 * first["duration_s"], delta=0.005)
+        rests = self.path("rests.ngc", "G21\no1 repeat [3]\nG4 P1\no1 endrepeat\nM2\n")
+        self.assertAlmostEqual(self.explained(rests, 3)["duration_s"], 1.0)
+        calls = self.path("calls.nc", "O1\nG21 G91 G61.1 F600\nM98 P7 L3\nM30\nO7\nG1 X10\nM99\n")
+        self.assertAlmostEqual(self.explained(calls, 6, "--dialect", "fanuc")["duration_s"], first["duration_s"], delta=0.002)
+
+    def test_counts_all_that_a_call_of_another_file_runs(self):
+        self.path("there.ngc", "o<there> sub\nG1 X10\nX20\no<there> endsub\n")
+        path = self.path("call.ngc", "G21 G90 G61.1 F600\no<there> call\nG1 X30\nM2\n")
+        self.assertAlmostEqual(self.explained(path, 2)["duration_s"], 2 * self.explained(path, 3)["duration_s"], delta=0.003)
+
     def explained(self, path, line, *words):
         return json.loads(self.kerf("explain", path, "--line", str(line), "--json", *words).stdout)["block"]
 

@@ -76,7 +76,9 @@ std::string state_text(const FileReport& report, const parser::WatchedBlock& blo
   std::string text = "  in force before it:\n";
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "  codes           {}\n", fmt::join(parser::codes_in_force(state), " "));
-  fmt::format_to(out, "  position        {} on the machine\n", point_text(state.position_mm));
+  const bool is_beside = state.cutter_compensation != parser::ModalState{}.cutter_compensation;
+  fmt::format_to(out, "  position        {} on the machine{}\n", point_text(state.position_mm),
+                 is_beside ? ", of the program's path: the tool is beside it" : "");
   for (const ExtraAxis& axis : extra_axes(report.extra_axes)) {
     fmt::format_to(
         out, "                  {} {} {} on the machine, {} in the program\n", axis.name,

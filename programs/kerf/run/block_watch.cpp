@@ -18,8 +18,13 @@ double time_at_s(const profiles::TimeLaw& law, double s_mm) {
 }  // namespace
 
 void BlockWatch::about_to_run(const parser::UpcomingBlock& block) {
-  if (!block_ && block.source.line == line_ && block.source.file == 0) {
+  if (block.source.line != line_ || block.source.file != 0) {
+    return;
+  }
+  if (!block_) {
     block_.emplace(block);
+  } else if (!again_) {
+    again_ = Again{.blocks_before = block.blocks_before, .rests_before = rests_pushed_};
   }
 }
 
@@ -67,7 +72,9 @@ void BlockWatch::add(const Part& part) {
     }
     begin_s_ = end_s_ = part.begin_s;
   }
-  if (part.line == line_) {
+  const bool is_again = again_ && (rest ? rests_planned_ > again_->rests_before
+                                        : part.run_block > again_->blocks_before);
+  if (part.line == line_ && !is_again) {
     end_s_ = part.end_s;
   } else {
     over_ = true;

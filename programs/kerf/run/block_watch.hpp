@@ -60,6 +60,12 @@ class BlockWatch : public PipelineObserver, public parser::BlockWatcher {
     std::uint64_t rests_before = 0;
   };
   std::optional<First> first_;
+  // Where the line runs for the second time.
+  struct Again {
+    std::uint64_t blocks_before = 0;
+    std::uint64_t rests_before = 0;
+  };
+  std::optional<Again> again_;
   std::uint64_t rests_pushed_ = 0;
   std::uint64_t rests_planned_ = 0;
   std::deque<interp::LineChange> changes_;  // that lie ahead
