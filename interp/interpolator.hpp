@@ -95,6 +95,7 @@ class Interpolator {
   [[nodiscard]] std::optional<double> curve_parameter() const noexcept;
   // Of the block that the last setpoint is on.
   [[nodiscard]] double deviation_mm() const noexcept { return phase_.deviation_mm; }
+  [[nodiscard]] bool is_at_rest() const noexcept { return v_now_mm_s_ == 0.0; }
 
  private:
   [[nodiscard]] double time_into_s(const Phase& phase) const noexcept;

@@ -121,7 +121,8 @@ class KERF_LOCAL Kernel::Impl {
             .deviation_mm = interpolator_.deviation_mm(),
             .block = interpolator_.reached_block(),
             .wait_cause = interpolator_.wait_cause(),
-            .waits_for_machine = interpolator_.rests_for_machine()};
+            .waits_for_machine = interpolator_.rests_for_machine(),
+            .at_rest = interpolator_.is_at_rest()};
   }
   [[nodiscard]] const TickJudge& judge() const noexcept { return judge_; }
   [[nodiscard]] const std::vector<PathControlUse>& path_controls() const noexcept {

@@ -140,6 +140,7 @@ struct TickDetail {
   WaitCause wait_cause = WaitCause::none;  ///< of TickStatus::waiting
   /// At rest until the machine answers: an input (M66), or the spindle that comes up to speed.
   bool waits_for_machine = false;
+  bool at_rest = false;  ///< no axis moves at the setpoint, A to W neither
 };
 
 /// What an operator makes of the feedrates of a program, as shares of them. Limits of path and axes

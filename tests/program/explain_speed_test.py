@@ -25,6 +25,13 @@ class ExplainSpeed(Case):
             for name, limit in limits.items():
                 self.assertEqual(sum(row["limit"] == name for row in rows), round(limit["time_s"] / 0.001), name)
 
+    def test_counts_the_rests_of_axes_that_move_alone(self):
+        turns = "min_deg = -720\nmax_deg = 720\nmax_velocity_deg_s = 100\nmax_acceleration_deg_s2 = 1000\nmax_jerk_deg_s3 = 10000\n"
+        machine = self.path("turning.toml", "[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\n[axes.a]\n" + turns)
+        program = self.path("turn.ngc", "G21 G90 G61 F3000\nG1 X10\nG1 A90\nG1 A0\nG1 X0\nM2\n")
+        report = json.loads(self.kerf("dry-run", program, "--machine", machine, "--explain-speed", "--json").stdout)
+        self.assertEqual(report["stops"], 4)  # at the end of each of them
+
     def test_answers_for_a_line_and_for_an_instant(self):
         program = self.path("a.ngc", self.PROGRAM)
         report = json.loads(self.kerf("dry-run", program, "--explain-speed=4", "--json").stdout)

@@ -23,7 +23,8 @@ SpeedReport report_of(const std::vector<Stretch>& stretches, const SpeedQuestion
       account.add({.tick = tick++,
                    .line = stretch.line,
                    .limit = stretch.limit,
-                   .motion = {.v_mm_s = stretch.v_mm_s}});
+                   .motion = {.v_mm_s = stretch.v_mm_s},
+                   .detail = {.at_rest = stretch.v_mm_s == 0.0}});
     }
   }
   return account.report();

@@ -68,8 +68,7 @@ void SpeedAccount::add(const TickRecord& record) {
                       .limit = record.limit};
   }
   if (last_) {
-    const bool stops = last_->motion.v_mm_s > 0.0 && record.motion.v_mm_s == 0.0;
-    stops_ += stops ? 1 : 0;
+    stops_ += !last_->detail.at_rest && record.detail.at_rest ? 1 : 0;
     const std::int64_t periods = record.tick - last_->tick;
     if (!entries_.empty() && entries_.back().line == last_->line &&
         entries_.back().limit == last_->limit) {
