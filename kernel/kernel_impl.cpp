@@ -67,7 +67,8 @@ void Kernel::Impl::follow_tool() {
   }
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
                  .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
-                 .feed_override = feed_share()});
+                 .feed_override = feed_share(),
+                 .rapid_override = overrides_.rapid});
 }
 
 // Where the tool rests and nothing was planned yet, a message would come behind the wait that is

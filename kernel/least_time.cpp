@@ -82,6 +82,11 @@ void LeastTime::count(const parser::Move& move, Way way) {
   }
   seconds_ += share * way.time_s;
   nominal_.motion_s += way.time_s;
+  if (move.rapid) {
+    nominal_.rapid_s += way.time_s;
+  } else if (!move.follows.feed) {
+    nominal_.steady_s += way.time_s;
+  }
   length_mm_ += way.length_mm;
 }
 

@@ -64,6 +64,12 @@ Result check_options(const KernelOptions& options) {
         return check_option({"nominal.motion_s", 0.0, kMax_s, nullptr}, nominal.motion_s)
             .and_then([&] {
               return check_option({"nominal.rest_s", 0.0, kMax_s, nullptr}, nominal.rest_s);
+            })
+            .and_then([&] {
+              return check_option({"nominal.rapid_s", 0.0, kMax_s, nullptr}, nominal.rapid_s);
+            })
+            .and_then([&] {
+              return check_option({"nominal.steady_s", 0.0, kMax_s, nullptr}, nominal.steady_s);
             });
       })
       .and_then([&] { return check_start(options); });

@@ -60,6 +60,8 @@ struct StartInProgram {
 struct NominalTime {
   double motion_s = 0.0;  ///< length over feedrate
   double rest_s = 0.0;    ///< dwells, tool changes and starts of the spindle
+  double rapid_s = 0.0;   ///< of motion_s what the rapid override slows
+  double steady_s = 0.0;  ///< of motion_s what no override changes: M49, M51, tapping
 };
 
 /// How one program is run.

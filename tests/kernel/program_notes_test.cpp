@@ -236,6 +236,32 @@ TEST(ProgramNotes, KnowThatADwellTakesNoLongerUnderALowOverride) {
   }
 }
 
+// Found with a client: rapids, and what M49 keeps, were divided by the feed override too, so 48 s
+// were said to be left of 11.
+TEST(ProgramNotes, KnowTheTimeThatIsLeftOfWhatAnOverrideDoesNotSlow) {
+  std::string rapids = "G21 G90 G61\nG1 X20 F3000\n";
+  for (int i = 0; i < 6; ++i) {
+    rapids += i % 2 == 0 ? "G0 X400\n" : "G0 X20\n";
+  }
+  struct Case {
+    std::string text;
+    Overrides overrides;
+  };
+  for (const Case& one :
+       {Case{rapids + "M2\n", {.feed = 0.2}}, Case{rapids + "M2\n", {.rapid = 0.25}},
+        Case{"G21 G90 G61 M49\nG1 X200 F3000\nX0\nM2\n", {.feed = 0.2}}}) {
+    const std::vector<double> said_s = said_left_s(one.text, [&](Kernel& kernel, std::size_t tick) {
+      if (tick == 0) {
+        kernel.set_overrides(one.overrides);
+      }
+    });
+    for (std::size_t tick = 1; tick < said_s.size(); tick += 250) {
+      const double left_s = static_cast<double>(said_s.size() - tick) * 1e-3;
+      EXPECT_NEAR(said_s.at(tick), left_s, 0.1 * left_s + 0.3) << one.text << "tick " << tick;
+    }
+  }
+}
+
 // Found by reading: a way that an axis A takes was divided by the feedrate of X, Y and Z. Of a
 // fifth of it 482 s were said to be left of 31.
 TEST(ProgramNotes, KnowTheTimeThatIsLeftWhereAnAxisThatTurnsIsTheSlowest) {
