@@ -14,9 +14,6 @@ namespace kerf {
 
 namespace {
 
-// The time in which what follows an answer of the machine is planned: the motion goes on behind it,
-// however long the planning took within it, so that every run has the same ticks.
-constexpr double kPauseBehindAnswer_s = 0.05;
 constexpr double kRounding = 1e-9;
 
 }  // namespace

@@ -14,6 +14,12 @@
 
 namespace kerf {
 
+// The time in which what follows an answer of the machine is planned: the motion goes on behind it,
+// however long the planning took within it, so that every run has the same ticks.
+inline constexpr double kPauseBehindAnswer_s = 0.05;
+// At rest the machine is asked a tick later, and what it says is there at the next one.
+inline constexpr double kTicksOfAnswer = 2.0;
+
 // The drives may have been off meanwhile, and with them spindle and coolant.
 inline std::shared_ptr<const parser::ReaderState> state_at_start(const KernelOptions& options) {
   if (options.begins_with.content() == nullptr) {
@@ -39,7 +45,10 @@ inline parser::ReaderOptions reader_options(const MachineSettings& settings,
           .dialect = options.dialect.value_or(settings.dialect),
           .answers = {.waits_for_spindle = settings.program.waits_for_spindle,
                       .assumed = std::make_shared<const SimulatedAnswers>(settings,
-                                                                          options.assumes_contact)},
+                                                                          options.assumes_contact),
+                      .answer_s = kPauseBehindAnswer_s + kTicksOfAnswer * settings.limits.period_s,
+                      .look_s = settings.limits.period_s,
+                      .spindle_start_s = settings.program.spindle_start_s},
           .machine = settings.program,
           .begins_with = state_at_start(options),
           .one_line = options.one_line,

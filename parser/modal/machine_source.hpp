@@ -44,6 +44,11 @@ struct MachineSource {
   std::uint64_t asked_from_block = 0;               // Move::block; what comes before is not run
   bool waits_for_spindle = false;                   // behind M3, M4 and a new S: the same
   std::shared_ptr<const AssumedMachine> assumed{};  // null: nothing is touched, inputs are low
+  // Of an assumed one: how long the tool rests for an answer that is there at the first look, how
+  // long a look takes, and what a spindle that starts is given before it is asked.
+  double answer_s = 0.0;
+  double look_s = 0.0;
+  double spindle_start_s = 0.0;
 
   [[nodiscard]] bool asks_in(std::uint64_t block) const noexcept {
     return is_asked && block >= asked_from_block;

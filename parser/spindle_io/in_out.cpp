@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "diagnostics/errors/pages.hpp"
@@ -39,10 +40,12 @@ Expected<double> waiting_time_s(const RunningBlock& at, double kind) {
   return wait_s;
 }
 
-// Of inputs that keep their value: a wait for another one lasts until its time is up.
-void assume_input(const RunningBlock& at, ModalState& state, const AssumedMachine* machine,
+// Of inputs that keep their value: a wait for another one lasts until its time is up. The tool
+// rests for any answer.
+void assume_input(const RunningBlock& at, ModalState& state, const MachineSource& source,
                   const MachineQuestion& asked) {
   using Kind = MachineQuestion::Kind;
+  const AssumedMachine* machine = source.assumed.get();
   const auto channel = static_cast<std::size_t>(asked.channel);
   const bool is_high = machine != nullptr && machine->digital(channel);
   const bool in_vain = asked.kind == Kind::rise || asked.kind == Kind::fall ||
@@ -53,12 +56,13 @@ void assume_input(const RunningBlock& at, ModalState& state, const AssumedMachin
   }
   if (in_vain) {
     state.input = -1.0;
-    at.push_move(state).shape = DwellMove{.duration_s = asked.max_wait_s, .assumed = true};
   } else if (asked.kind == Kind::analog) {
     state.input = machine != nullptr ? machine->analog(channel) : 0.0;
   } else {
     state.input = is_high ? 1.0 : 0.0;
   }
+  const double more_s = in_vain ? std::max(asked.max_wait_s - source.look_s, 0.0) : 0.0;
+  at.push_move(state).shape = DwellMove{.duration_s = source.answer_s + more_s, .assumed = true};
 }
 
 // M66 P reads or waits for a digital input, M66 E reads an analog one; #5399 gets the answer.
@@ -92,7 +96,7 @@ Done wait_for_input(const RunningBlock& at, ModalState& state, const MachineSour
   if (machine.asks_in(at.block_number)) {
     at.push_event(state, {.kind = EventKind::ask_machine, .question = asked});
   } else {
-    assume_input(at, state, machine.assumed.get(), asked);
+    assume_input(at, state, machine, asked);
   }
   return {};
 }

@@ -1,5 +1,6 @@
 #include "parser/spindle_io/spindle.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -139,8 +140,8 @@ std::optional<SpindleWait> wait_for_speed(const MachineSource& machine, std::uin
   const double time_s = machine.assumed != nullptr ? machine.assumed->spindle_time_s(
                                                          change.from_per_min, change.to_per_min)
                                                    : 0.0;
-  return time_s > 0.0 ? std::optional<SpindleWait>(DwellMove{.duration_s = time_s, .assumed = true})
-                      : std::nullopt;
+  const double had_s = change.from_per_min == 0.0 ? machine.spindle_start_s : 0.0;
+  return DwellMove{.duration_s = std::max(time_s - had_s, 0.0) + machine.answer_s, .assumed = true};
 }
 
 void SpindleDrive::turn_on(const MoveSink& at, const ModalState& state,

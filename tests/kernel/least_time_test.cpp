@@ -61,7 +61,8 @@ TEST(LeastTime, KnowsWhatTheMachineFileSaysOfRestsAndDoesNotCountOnIt) {
       settings);
   EXPECT_DOUBLE_EQ(time.nominal().motion_s, 20.0);
   EXPECT_DOUBLE_EQ(time.nominal().rest_s, 3.0 + 2.5 + 7.0 + 3.0);
-  EXPECT_DOUBLE_EQ(time.seconds(), 20.0 + 2.5 + 60.0);
+  constexpr double kBehindAnswer_s = 0.05 + 0.001;  // what follows is planned in, and a tick
+  EXPECT_NEAR(time.seconds(), 20.0 + 2.5 + 60.0 + kBehindAnswer_s, 1e-9);
 }
 
 TEST(LeastTime, OfARapidIsThatOfTheMachine) {

@@ -29,6 +29,21 @@ class Json(Case):
         for wrong in ("0", "201", "nan", "-5"):
             self.assertIn("--feed-override: 1 to 200 percent", self.kerf("dry-run", program, f"--feed-override={wrong}", status=2).stderr)
 
+    def test_a_check_rests_for_answers_of_the_machine_as_a_dry_run_does(self):
+        limits = "[path]\nmax_velocity_mm_s = 250\nmax_acceleration_mm_s2 = 2500\nmax_jerk_mm_s3 = 50000\n"
+        inputs = self.path("inputs.toml", limits + "[simulation]\ndigital = [3]\n")
+        spindle = self.path("spindle.toml", limits + "[program]\nwaits_for_spindle = true\n")
+        slow = self.path("slow.toml", limits + "[program]\nwaits_for_spindle = true\nspindle_start_s = 1\n[simulation]\nspindle_per_min_s = 1000\n")
+        for machine, asks in ((inputs, ("M66 P3 L3 Q5", "M66 P3 L0", "M66 P4 L0", "M66 P4 L3 Q0.5", "M66 E0 L0")), (spindle, ("S1000 M3", "S1000 M3\nS500")),
+                              (slow, ("S500 M3", "S1000 M3", "S3000 M4", "S2000 M3\nS1000", "S1000 M3\nG4 P2\nM5"))):
+            for ask in asks:
+                part = self.path("asks.ngc", f"G21 G90 F6000\nG1 X10\n{ask}\nG1 X10 Y10\nM2\n")
+                checked, ran = (json.loads(self.kerf(command, part, "--machine", machine, "--json").stdout) for command in ("check", "dry-run"))
+                with self.subTest(ask=ask):
+                    self.assertEqual(checked["ticks"], ran["ticks"])
+                    self.assertEqual(checked["deviation"], ran["deviation"])  # no blend where the tool rests
+                    self.assertEqual(checked["blocks"], ran["blocks"])
+
     def test_lists_where_a_program_waits_and_the_time_that_the_machine_file_gives_it(self):
         part = self.path("waits.ngc", "G21 G90 G61 F6000\nG1 X10\nM3 S1000\nM1\nM0\nS2000\nM5\nM4\nT2 M6\nM60\nG1 X0\nM2\n")
         plain = json.loads(self.kerf("dry-run", part, "--json").stdout)
