@@ -303,6 +303,7 @@ class Planner {
     std::uint32_t line = 0;
     std::uint64_t run_block = 0;  // 0: of a rest, which has none
     std::uint32_t end_line = 0;   // where it ends
+    std::uint64_t end_run_block = 0;
   };
   struct Before {
     Emitter emitter;
@@ -327,6 +328,7 @@ class Planner {
   static std::optional<ProgramPlace> place_behind(const Item& item);
   // Behind what was emitted.
   [[nodiscard]] std::optional<ProgramPlace> place_emitted() const;
+  static Rest step_at_end_of(const ProgramPlace& place);
   static bool is_same_block(const ProgramPlace& before, const ProgramPlace& after);
   std::optional<ProgramPlace> last_{};
   // A time optimum, for the profile of the settings, to the next rest or cruise.

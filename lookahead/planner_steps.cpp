@@ -8,12 +8,25 @@ namespace kerf::lookahead {
 
 Planner::ProgramPlace Planner::place_of(const Item& item) {
   if (const auto* rest = std::get_if<Rest>(&item)) {
-    return {.line = rest->line, .end_line = rest->line};
+    return {.line = rest->line,
+            .run_block = rest->run_block,
+            .end_line = rest->line,
+            .end_run_block = rest->run_block};
   }
   const auto& block = std::get<Block>(item);
+  const LineMark end = block.mark_at(block.length_mm);
   return {.line = block.line,
           .run_block = block.run_block,
-          .end_line = block.mark_at(block.length_mm).line};
+          .end_line = end.line,
+          .end_run_block = end.run_block};
+}
+
+Rest Planner::step_at_end_of(const ProgramPlace& place) {
+  return {.line = place.end_line,
+          .run_block = place.end_run_block,
+          .waits = true,
+          .cause = WaitCause::block_end,
+          .steps = true};
 }
 
 std::optional<Planner::ProgramPlace> Planner::place_behind(const Item& item) {
@@ -42,17 +55,15 @@ bool Planner::steps_before(const Item& next) const {
 }
 
 void Planner::end_with_step() {
-  end_with({.line = last_->end_line, .waits = true, .cause = WaitCause::block_end, .steps = true});
+  end_with(step_at_end_of(*last_));
 }
 
 void Planner::step_behind(std::size_t item) {
   for (; single_block_ && item + 1 < waiting_.size(); ++item) {
     const ProgramPlace place = place_of(waiting_[item]);
     if (!is_same_block(place, place_of(waiting_[item + 1]))) {
-      waiting_.insert(
-          waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
-          Rest{
-              .line = place.end_line, .waits = true, .cause = WaitCause::block_end, .steps = true});
+      waiting_.insert(waiting_.begin() + static_cast<std::ptrdiff_t>(item) + 1,
+                      step_at_end_of(place));
       return;
     }
   }

@@ -262,6 +262,9 @@ void Planner::resume() {
   if (!std::exchange(held_, std::nullopt)) {
     return;
   }
+  if (!emitter_.is_on_block()) {
+    last_ = place_emitted();
+  }
   if (emitter_.is_on_block() && std::get<Block>(waiting_.front()).slows) {
     set_limits(by_, settings_.limits, scan_for_, std::get<Block>(waiting_.front()));
   }

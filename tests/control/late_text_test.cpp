@@ -59,6 +59,30 @@ TEST(Controller, WaitsForTextBehindAHoldAsItDidBefore) {
   shop.goes_on_with_the_text();
 }
 
+// Its block was over before the hold, and what the text brings is another one.
+TEST(Controller, WaitsBehindABlockInSingleBlockThoughAHoldCameBeforeTheText) {
+  for (const bool holds : {false, true}) {
+    LateText shop;
+    ASSERT_TRUE(shop.controller.set_single_block(true));
+    shop.controller.feed("G21 G90\nG1 X1 F3000\n");
+    shop.tick_until(State::waiting);
+    if (holds) {
+      shop.give(Command::hold);
+      shop.tick_until(State::held);
+      shop.give(Command::resume);
+      shop.tick_until(State::waiting);
+    }
+    shop.controller.feed("G1 X2\n");
+    shop.controller.finish();
+    shop.tick(500);
+    EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::answer) << holds;
+    EXPECT_EQ(shop.setpoint.position_mm[0], 1.0) << holds;
+    shop.give(Command::resume);
+    shop.tick(500);
+    EXPECT_EQ(shop.setpoint.position_mm[0], 2.0) << holds;
+  }
+}
+
 // Found with a client: it was said to wait for planning, so nobody stopped it once its client left.
 TEST(Controller, IsHeldByTheFeedWhereTextHasComeThatWasLate) {
   LateText shop;

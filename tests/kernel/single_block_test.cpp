@@ -15,7 +15,8 @@ namespace {
 
 struct SteppedRun {
   WatchedRun run;
-  std::vector<Setpoint> waits;  // the first tick of each
+  std::vector<Setpoint> waits;        // the first tick of each
+  std::vector<std::uint64_t> blocks;  // TickDetail::block there
 };
 
 struct Switching {
@@ -35,6 +36,7 @@ SteppedRun run_stepped(const std::string& text, const KernelOptions& options,
         waited = waits ? waited + 1 : 0;
         if (waited == 1) {
           stepped.waits.push_back(run.ticks.back());
+          stepped.blocks.push_back(kernel.detail().block);
         } else if (waited == kWaitTicks) {
           kernel.resume();
           waited = 0;
@@ -171,6 +173,38 @@ TEST(SingleBlock, LeavesACurveOfOneBlockSmooth) {
   EXPECT_EQ(exact.run.complaint, "");
   EXPECT_EQ(run.waits.size(), exact.waits.size());
   EXPECT_LT(run.run.ticks.size(), exact.run.ticks.size());
+}
+
+// It once took the three rounds for one block, and a whole subprogram in a file, which is all of
+// the line that calls it.
+TEST(SingleBlock, WaitsForEachBlockWhereTheyAreOfOneLine) {
+  for (const std::string again : {"G4 P0.05", "M3 S500", "M64 P1", "G1 Y5"}) {
+    const SteppedRun run = run_stepped(
+        "G21 G90 F3000\nG1 X10\no1 repeat [3]\n" + again + "\no1 endrepeat\nG1 X0\nM2\n", {}, {});
+    EXPECT_EQ(lines_of(run.waits), again == "G1 Y5"
+                                       ? (std::vector<std::uint32_t>{2, 4, 6})  // it is there
+                                       : (std::vector<std::uint32_t>{2, 4, 4, 4, 6}))
+        << again;
+  }
+  KernelOptions options;
+  options.subprograms = [](std::string_view) {
+    return SubprogramText{.file = "steps.ngc",
+                          .text =
+                              "o<steps> sub\nG1 X10 F3000\nM8\nG1 Z-5\nG4 P0.05\nM3 S500\n"
+                              "G1 Y5\nS600\nG1 Y9\nM64 P1\nG1 X0\no<steps> endsub\n"};
+  };
+  const SteppedRun run = run_stepped("G21 G90 G61\no<steps> call\nG1 Y0\nM2\n", options, {});
+  EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3}));
+}
+
+// Behind an output it was the block before.
+TEST(SingleBlock, WaitsInTheBlockThatHasEnded) {
+  const SteppedRun run =
+      run_stepped("G21 G90 G61 F3000\nG1 X10\nM3 S500\nG1 X20\nM5\nG4 P0.05\nG1 X0\nM2\n", {}, {});
+  ASSERT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4, 5, 6, 7}));
+  for (std::size_t i = 1; i < run.blocks.size(); ++i) {
+    EXPECT_EQ(run.blocks[i], run.blocks[i - 1] + 1) << i;
+  }
 }
 
 // A blend that was made by then stays, and is of the block that follows it.
