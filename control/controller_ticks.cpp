@@ -36,12 +36,14 @@ TickStatus Controller::Impl::tick(Kernel& kernel, State state) noexcept {
     kernel.emergency_stop();
   }
   const Setpoint before = last_;
+  const std::uint64_t block_before = detail_.block;
   const bool by_hand = by_hand_.load(std::memory_order_relaxed);
   has_new_place_ = false;
   kernel.set_program_inputs(inputs_);
   const TickStatus status = kernel.tick(last_);
   detail_ = kernel.detail();
-  if (by_hand) {  // the program's line and way stay as they are
+  if (by_hand) {  // the program's block, line and way stay as they are
+    detail_.block = block_before;
     last_.line = before.line;
     last_.s_mm = before.s_mm;
   } else {

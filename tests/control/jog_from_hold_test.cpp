@@ -43,6 +43,26 @@ TEST(Jog, FromAHoldGoesBackOverItsPlacesBeforeTheProgramGoesOn) {
   EXPECT_FALSE(shop.controller.program()->fault());
 }
 
+// By which a program goes on another day.
+TEST(Jog, FromAHoldLeavesTheBlockOfTheProgram) {
+  JogShop shop;
+  shop.start("G21 G90 G61 F6000\nG1 X10\nX20\nX30\nX200\nM2\n");
+  shop.go(900);
+  shop.give(Command::hold);
+  shop.go_until(State::held);
+  const std::uint64_t block = shop.controller.status().block;
+  EXPECT_GE(block, 4U);
+  shop.jog({.mm = {0.0, 0.0, 30.0}, .is_step = true});
+  while (shop.go() == State::jogging) {
+    ASSERT_EQ(shop.controller.status().block, block);
+  }
+  EXPECT_EQ(shop.controller.status().block, block);
+  shop.give(Command::resume);
+  while (shop.go() == State::returning) {
+    ASSERT_EQ(shop.controller.status().block, block);
+  }
+}
+
 // As at a tool change by hand.
 TEST(Jog, FromAHoldAtAWaitComesBackBeforeTheAnswer) {
   JogShop shop;
