@@ -177,6 +177,17 @@ class Control(ControlCase):
         self.assertEqual(client.read_until(type="end")["exit_status"], 0)
         self.ends_at(process, 0, x=400)
 
+    def test_a_stop_of_a_line_before_the_program_ends_that_alone(self):
+        process, client = self.start("G21 G90\nG1 X1 F6000\nM2\n", ["--wait-start"])
+        client.read_until(type="event", state="idle")
+        self.assertTrue(client.ask("mdi", line="G21 G1 X50 F600")["accepted"])
+        client.read_until(type="event", state="running")
+        self.assertTrue(client.ask("stop")["accepted"])
+        self.assertLess(self.status_in(client, "idle")["position_mm"]["x"], 50)
+        self.assertTrue(client.ask("start")["accepted"])
+        self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+        self.ends_at(process, 0, x=1)
+
     def test_lines_and_jogs_before_the_program(self):
         process, client = self.start("G90\nG1 X1 F6000\nM2\n", ["--wait-start"])
         client.read_until(type="event", state="idle")
@@ -199,6 +210,7 @@ class Control(ControlCase):
         client.read_until(type="event", state="idle")
         self.assertTrue(client.ask("mdi", line="G38.2 X1 F1000")["accepted"])
         self.assertRegex(client.read_until(type="event", event="message")["text"], r"\[E0854\]")
+        self.status_in(client, "idle")
         self.assertTrue(client.ask("stop")["accepted"])
         client.read_until(type="end")
         process.wait(timeout=60)

@@ -142,9 +142,9 @@ tl::expected<void, Refusal> Operator::execute(const OperatorOrder& order) {
 tl::expected<void, Refusal> Operator::note_stop(const tl::expected<void, Refusal>& given) {
   using State = ControllerState;
   const State now = controller_->status().state;
-  const bool is_before_program = !has_started_ && now == State::idle;
-  const bool stops_by_hand = now == State::jogging || now == State::returning ||
-                             now == State::homing || now == State::held || is_before_program;
+  // Before the program it is a line or a move by hand that ends.
+  const bool stops_by_hand = !has_started_ || now == State::jogging || now == State::returning ||
+                             now == State::homing || now == State::held;
   const bool stops_program = (given && !stops_by_hand) || std::exchange(starts_, false);
   has_stopped_ = has_stopped_ || stops_program;
   return stops_program ? tl::expected<void, Refusal>{} : given;
