@@ -57,9 +57,9 @@ void MessagePrinter::print_new() {
                              ? controller_->message(events[i].message)
                              : std::nullopt;
     if (message) {
-      write_all(STDERR_FILENO,
-                fmt::format("{}{}:{}: {}: {}\n", before_, visible(file_), message->line,
-                            name_of(message->kind), visible(message->text)));
+      const std::string line = message->line != 0 ? fmt::format(":{}", message->line) : "";
+      write_all(STDERR_FILENO, fmt::format("{}{}{}: {}: {}\n", before_, visible(file_), line,
+                                           name_of(message->kind), visible(message->text)));
     }
   }
 }

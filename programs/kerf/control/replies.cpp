@@ -96,7 +96,8 @@ std::string event_json(const ControllerEvent& event, const std::optional<Program
     json["line"] = event.line;
   } else {
     json["event"] = message ? kKinds.at(static_cast<std::size_t>(message->kind)) : kKinds[0];
-    json["line"] = message ? Json(message->line) : Json();
+    // 0: Kerf's own.
+    json["line"] = message && message->line != 0 ? Json(message->line) : Json();
     json["text"] = message ? Json(message->text) : Json();
   }
   return line_of(json);
