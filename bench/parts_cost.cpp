@@ -88,7 +88,9 @@ Cost dry_run(std::int64_t lines, profiles::ProfileKind profile) {
   const MachineSettings settings = machine_with({.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = 5e4});
   Cost cost{.check_s = check(settings, lines)};
   FlowerText text(lines);
-  Kernel kernel(settings, {.profile = profiles::Profile(profile), .start_mm = text.start_mm()});
+  Kernel kernel(settings, {.profile = profiles::Profile(profile),
+                           .one_thread = true,  // as `kerf dry-run`: no way to rest is kept ready
+                           .start_mm = text.start_mm()});
   const Clock::time_point began = Clock::now();
   auto status = interp::TickStatus::running;
   for (interp::Setpoint setpoint;
