@@ -109,10 +109,11 @@ TEST(Probe, TowardsContactMustNotBeginThere) {
             "p:2:1: error: G38.3 begins in contact [E0852]");
 }
 
+// The tool rests for each.
 TEST(Probe, InputsOfTheAssumedMachineAnswerM66) {
-  EXPECT_EQ(steps_of("M66 P4 L0\nG0 X[#5399]").at(0), "2: rapid to 1 0 0");
-  EXPECT_EQ(steps_of("M66 E2\nG0 X[#5399]").at(0), "2: rapid to 1.5 0 0");
-  EXPECT_EQ(steps_of("M66 P4 L3 Q5\nG0 X[#5399]").at(0), "2: rapid to 1 0 0");
+  EXPECT_EQ(steps_of("M66 P4 L0\nG0 X[#5399]").at(1), "2: rapid to 1 0 0");
+  EXPECT_EQ(steps_of("M66 E2\nG0 X[#5399]").at(1), "2: rapid to 1.5 0 0");
+  EXPECT_EQ(steps_of("M66 P4 L3 Q5\nG0 X[#5399]").at(1), "2: rapid to 1 0 0");
   EXPECT_EQ(steps_of("M66 P4 L4 Q5\nG0 X[#5399]").at(1), "2: rapid to -1 0 0");
 }
 

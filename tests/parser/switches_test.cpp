@@ -30,7 +30,8 @@ TEST(OutputChanges, OfOutputsCarryNumberAndValue) {
 }
 
 TEST(OutputChanges, WaitForInputsThatStayLow) {
-  EXPECT_EQ(lines_of("M66 P0 L0\nM66 P1 L4 Q5\nM66 E0"), Lines{});
+  EXPECT_EQ(lines_of("M66 P0 L0\nM66 P1 L4 Q5\nM66 E0"),
+            (Lines{"1: dwell 0", "2: dwell 0", "3: dwell 0"}));
   EXPECT_EQ(lines_of("M66 P1 L3 Q5\nM66 P0 L1 Q0.5"), (Lines{"1: dwell 5", "2: dwell 0.5"}));
 }
 
