@@ -14,9 +14,10 @@ namespace kerf {
 
 // The idea: a program's nominal time, length over feedrate, is known from its check, and so is the
 // nominal time of the path that the tool has behind it. What the machine took for that, beside what
-// it would take at the feedrate, is what it will take for the rest. Dwells take what they say, and
-// what the machine does while the tool rests takes what its file says.
-// Weakness: a program whose end is of another kind than its begin is judged by the begin.
+// it would take at the feedrate, is what it will take for the rest. An override divides what
+// follows it alone. Dwells take what they say, and what the machine does while the tool rests takes
+// what its file says. Weakness: a program whose end is of another kind than its begin is judged by
+// the begin.
 class TimeLeft {
  public:
   // Of the whole program (CheckReport::nominal); nothing: nobody knows.

@@ -264,8 +264,7 @@ void Planner::resume() {
   }
   if (!emitter_.is_on_block()) {
     last_ = place_emitted();
-  }
-  if (emitter_.is_on_block() && std::get<Block>(waiting_.front()).slows) {
+  } else if (std::get<Block>(waiting_.front()).slows) {
     set_limits(by_, settings_.limits, scan_for_, std::get<Block>(waiting_.front()));
   }
   begin_rest_of_block();
