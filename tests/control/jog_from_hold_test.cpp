@@ -53,14 +53,18 @@ TEST(Jog, FromAHoldLeavesTheBlockOfTheProgram) {
   const std::uint64_t block = shop.controller.status().block;
   EXPECT_GE(block, 4U);
   shop.jog({.mm = {0.0, 0.0, 30.0}, .is_step = true});
-  while (shop.go() == State::jogging) {
+  int ticks = 0;
+  for (; shop.go() == State::jogging; ++ticks) {
     ASSERT_EQ(shop.controller.status().block, block);
   }
+  EXPECT_GT(ticks, 100);
+  EXPECT_EQ(shop.setpoint.position_mm[2], 30.0);
   EXPECT_EQ(shop.controller.status().block, block);
   shop.give(Command::resume);
-  while (shop.go() == State::returning) {
+  for (ticks = 0; shop.go() == State::returning; ++ticks) {
     ASSERT_EQ(shop.controller.status().block, block);
   }
+  EXPECT_GT(ticks, 100);
 }
 
 // As at a tool change by hand.
