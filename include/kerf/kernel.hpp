@@ -61,7 +61,7 @@ struct NominalTime {
   double motion_s = 0.0;  ///< length over feedrate
   double rest_s = 0.0;    ///< dwells, tool changes and starts of the spindle
   double rapid_s = 0.0;   ///< of motion_s what the rapid override slows
-  double steady_s = 0.0;  ///< of motion_s what no override changes: M49, M51, tapping
+  double steady_s = 0.0;  ///< of motion_s what neither changes: M49, M50 P0, tapping
 };
 
 /// How one program is run.
