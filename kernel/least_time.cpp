@@ -4,6 +4,7 @@
 #include <cmath>
 #include <variant>
 
+#include "kernel/nominal_time.hpp"
 #include "parser/moves/short_moves.hpp"
 
 namespace kerf {
@@ -81,12 +82,7 @@ void LeastTime::count(const parser::Move& move, Way way) {
     share = std::max(1.0 - saved_mm / way.length_mm, kBlendedShare);
   }
   seconds_ += share * way.time_s;
-  nominal_.motion_s += way.time_s;
-  if (move.rapid) {
-    nominal_.rapid_s += way.time_s;
-  } else if (!move.follows.feed) {
-    nominal_.steady_s += way.time_s;
-  }
+  add_motion(nominal_, way.time_s, move.rapid, move.follows);
   length_mm_ += way.length_mm;
 }
 

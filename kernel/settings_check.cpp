@@ -70,6 +70,13 @@ Result check_options(const KernelOptions& options) {
             })
             .and_then([&] {
               return check_option({"nominal.steady_s", 0.0, kMax_s, nullptr}, nominal.steady_s);
+            })
+            .and_then([&] {
+              return check_option({"nominal.spindle_s", 0.0, kMax_s, nullptr}, nominal.spindle_s);
+            })
+            .and_then([&] {
+              return check_option({"nominal.spindle_alone_s", 0.0, kMax_s, nullptr},
+                                  nominal.spindle_alone_s);
             });
       })
       .and_then([&] { return check_start(options); });

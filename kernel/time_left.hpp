@@ -34,29 +34,17 @@ class TimeLeft {
 
   struct ToolPlace {
     double path_mm = 0.0;
-    double moved_s = 0.0;  // without holds and waits
-    double feed_override = 1.0;
-    double rapid_override = 1.0;
+    double moved_s = 0.0;   // without holds and waits
+    Overrides overrides{};  // in force: the feed may be 0
   };
   void follow(const ToolPlace& tool);
   // Nothing: nobody knows, or at a feed of 0 never.
   [[nodiscard]] std::optional<double> left_s() const;
 
  private:
-  // Nominal, by what changes it.
-  struct MotionTime {
-    double fed_s = 0.0;
-    double rapid_s = 0.0;
-    double steady_s = 0.0;
-
-    [[nodiscard]] MotionTime plus(const MotionTime& other, double share = 1.0) const;
-    // At the overrides that are in force there.
-    [[nodiscard]] double at_s(const ToolPlace& tool) const;
-  };
   struct Mark {
     double path_mm = 0.0;
-    MotionTime nominal{};
-    double rest_s = 0.0;  // of dwells, and of axes that turn alone: the path stands still
+    NominalTime nominal{};  // a rest is a dwell, or axes that turn alone: the path stands still
   };
   void reach(double path_mm);
   void push_standing(double duration_s);
@@ -64,12 +52,11 @@ class TimeLeft {
   double fastest_mm_s_;
   std::array<MotionLimits, kAuxiliaryAxes> extra_;
   bool is_known_;
-  MotionTime not_pushed_{};
-  double rest_not_pushed_s_ = 0.0;
+  NominalTime not_pushed_{};
   std::deque<Mark> marks_;  // ends of what lies ahead of the tool
   Mark pushed_{};           // the end of all
   Mark behind_{};           // the latest that the tool has passed
-  MotionTime done_nominal_{};
+  NominalTime done_nominal_{};
   double rest_to_run_s_ = 0.0;  // where the tool is
   double in_motion_s_ = 0.0;
   double expected_s_ = 0.0;  // of that, nominal, at the overrides that were in force

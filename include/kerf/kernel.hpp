@@ -58,10 +58,12 @@ struct StartInProgram {
 
 /// How long a program takes by its text, before any override.
 struct NominalTime {
-  double motion_s = 0.0;  ///< length over feedrate
-  double rest_s = 0.0;    ///< dwells, tool changes and starts of the spindle
-  double rapid_s = 0.0;   ///< of motion_s what the rapid override slows
-  double steady_s = 0.0;  ///< of motion_s what neither changes: M49, M50 P0, tapping
+  double motion_s = 0.0;         ///< length over feedrate
+  double rest_s = 0.0;           ///< dwells, tool changes and starts of the spindle
+  double rapid_s = 0.0;          ///< of motion_s what the rapid override slows
+  double steady_s = 0.0;         ///< of motion_s what no override changes: M49, M50 P0, tapping
+  double spindle_s = 0.0;        ///< of motion_s what feed and spindle override change: G95
+  double spindle_alone_s = 0.0;  ///< of motion_s what only the latter changes: G95 under M50 P0
 };
 
 /// How one program is run.
