@@ -148,8 +148,9 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathSegment>& out) {
     last = straight_;
   }
   while (tail_ || !(is_straight_to(last) || curves_.append_circle(run_, last, out))) {
-    const RunFit fit = fit_run(run_, {.last = last, .judged = last, .pinned = true}, tail_, {},
-                               curves_.settings());
+    const RunFit fit = fit_run(
+        run_, {.last = last, .judged = last, .pinned = true, .before = curves_.end_direction()},
+        tail_, {}, curves_.settings());
     if (fit.fails_at && last == 1) {
       curves_.append_first_line(run_, curves::to_position(tail_->derivatives[0]), out);
       break;
@@ -174,7 +175,11 @@ void Compressor::close_at(std::size_t vertex, std::vector<PathSegment>& out) {
 
 void Compressor::advance(std::size_t known, std::vector<PathSegment>& out) {
   const std::size_t half = known / 2;
-  const RunFit fit = fit_run(run_, {.last = known, .judged = half + half / 2, .pinned = false},
+  const RunFit fit = fit_run(run_,
+                             {.last = known,
+                              .judged = half + half / 2,
+                              .pinned = false,
+                              .before = curves_.end_direction()},
                              tail_, breaks_, curves_.settings());
   if (fit.fails_at) {
     close_at(*fit.fails_at, out);

@@ -18,6 +18,7 @@ constexpr std::size_t kSpansOfSegment = 24;
 void RunCurves::begin(const parser::Move& like, double beside_mm) {
   like_ = like;
   beside_mm_ = beside_mm;
+  end_direction_.reset();
   set_beside(beside_mm);
 }
 
@@ -137,8 +138,9 @@ void RunCurves::append_chords(const Polyline& run, const Indices& lines, const C
 }
 
 void RunCurves::append_merged(const Polyline& run, MergedCurve merged,
-                              std::vector<PathSegment>& out) const {
+                              std::vector<PathSegment>& out) {
   merged.deviation_mm += settings_.beside_mm;
+  end_direction_ = vec(curves::derivatives_at(merged.curve, curves::length_mm(merged.curve)).first);
   append_segments(run, merged, like_, out);
 }
 

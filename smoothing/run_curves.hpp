@@ -26,6 +26,10 @@ class RunCurves {
   // begin() says.
   void widen_beside(double distance_mm);
 
+  // In which the run's last segment so far ends.
+  [[nodiscard]] const std::optional<Eigen::Vector3d>& end_direction() const noexcept {
+    return end_direction_;
+  }
   [[nodiscard]] const parser::Move& like() const noexcept { return like_; }
   [[nodiscard]] const RunFitSettings& settings() const noexcept { return settings_; }
   // Of all segments appended.
@@ -72,7 +76,7 @@ class RunCurves {
                       std::vector<PathSegment>& out);
   void append_chords(const Polyline& run, const Indices& lines, const ChordEnds& ends,
                      std::vector<PathSegment>& out);
-  void append_merged(const Polyline& run, MergedCurve merged, std::vector<PathSegment>& out) const;
+  void append_merged(const Polyline& run, MergedCurve merged, std::vector<PathSegment>& out);
   void widen(const Place& place, double distance_mm);
 
   void set_beside(double beside_mm);
@@ -81,6 +85,7 @@ class RunCurves {
   parser::Move like_{};     // data common to the moves of the run
   double beside_mm_ = 0.0;  // of the run's lines as they came
   bool broken_ = false;     // the last segment is lines where a spline was meant to go on
+  std::optional<Eigen::Vector3d> end_direction_;
   PathDeviations deviations_;
 };
 

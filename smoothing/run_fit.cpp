@@ -28,19 +28,25 @@ class Fitting {
           std::span<const std::size_t> breaks, const RunFitSettings& settings)
       : run_(&run),
         stretch_(stretch),
-        tail_(&tail),
+        ends_{.begin_mm = run[0].point_mm, .tail = tail},
         settings_(&settings),
         breaks_(run, breaks,
                 {.last = stretch.last,
                  .before_mm = tail ? tail->span_mm : 0.0,
-                 .tolerance_mm = settings.tolerance_mm}) {}
+                 .tolerance_mm = settings.tolerance_mm}) {
+    if (stretch_.pinned) {
+      ends_.end_mm = point(stretch_.last);
+    }
+  }
 
   RunFit find() {
     RunFit fit;
     for (int round = 0;; ++round) {
       fit.spline = solve();
       fit.fails_at.reset();
-      if (!judge(fit, round + 1 < kRounds)) {
+      if (!judge(fit, round + 1 < kRounds) &&
+          (fit.fails_at ||
+           !hold_ends(*run_, stretch_, fit.spline, settings_->tolerance_mm, ends_))) {
         break;
       }
     }
@@ -104,15 +110,11 @@ class Fitting {
         }
       }
     }
-    FitEnds ends{.begin_mm = point(0), .tail = *tail_};
-    if (stretch_.pinned) {
-      ends.end_mm = point(stretch_.last);
-    }
     breaks_mm_.clear();
     for (const std::size_t vertex : breaks_.vertices()) {
       breaks_mm_.push_back(w_mm(vertex));
     }
-    return fit_spline(breaks_mm_, samples_, ends);
+    return fit_spline(breaks_mm_, samples_, ends_);
   }
 
   [[nodiscard]] curves::Position between(std::size_t line, double share) const {
@@ -192,7 +194,7 @@ class Fitting {
 
   const Polyline* run_;
   RunStretch stretch_;
-  const std::optional<SplineTail>* tail_;
+  FitEnds ends_;
   const RunFitSettings* settings_;
   SpanBreaks breaks_;
   std::vector<double> breaks_mm_;

@@ -38,10 +38,19 @@ struct RunStretch {
   std::size_t last = 0;  // the first is vertex 0
   std::size_t judged = 0;
   bool pinned = false;
+  // In which the path comes to the first, if that is known.
+  std::optional<Eigen::Vector3d> before{};
 };
 RunFit fit_run(const Polyline& run, const RunStretch& stretch,
                const std::optional<SplineTail>& tail, std::span<const std::size_t> breaks,
                const RunFitSettings& settings);
+
+// Within the tolerance a spline of few short lines may begin and end in any direction. At a corner
+// that makes the joint sharper than the lines have it, up to a cusp in which the tool would rest.
+// Holds such ends in the direction of their lines. What is not known to join an end counts as going
+// straight on. False: no more of them are held than before.
+bool hold_ends(const Polyline& run, const RunStretch& stretch, const SplineFit& spline,
+               double tolerance_mm, FitEnds& ends);
 
 class SpanBreaks {
  public:

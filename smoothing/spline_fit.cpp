@@ -98,6 +98,37 @@ std::array<Eigen::Vector3d, kFitDegree> first_coefficients(const SpanBasis& basi
   return c;
 }
 
+// The coefficients that are known. An end coefficient and the one beside it are a fifth of the span
+// apart where the first derivative is 1.
+void fix_ends(std::span<const double> breaks_mm, const SpanBasis& first_basis, const FitEnds& ends,
+              const Eigen::Vector3d& origin, FitEquations& equations) {
+  const std::size_t spans = breaks_mm.size() - 1;
+  const double first_mm = breaks_mm[1] - breaks_mm[0];
+  if (ends.tail) {
+    const auto first = first_coefficients(first_basis, 0.5 * first_mm, *ends.tail, origin);
+    for (std::size_t i = 0; i < kFitDegree; ++i) {
+      equations.fix(i, first[i]);
+    }
+  } else {
+    const Eigen::Vector3d begin = curves::vec(ends.begin_mm) - origin;
+    equations.fix(0, begin);
+    if (ends.begin_direction) {
+      equations.fix(1, begin + first_mm / static_cast<double>(kFitDegree) * *ends.begin_direction);
+    }
+  }
+  if (ends.end_mm) {
+    const std::size_t last = spans + kFitDegree - 1;
+    const Eigen::Vector3d end = curves::vec(*ends.end_mm) - origin;
+    equations.fix(last, end);
+    if (ends.end_direction) {
+      assert(!ends.tail || spans > 1);
+      const double last_mm = breaks_mm[spans] - breaks_mm[spans - 1];
+      equations.fix(last - 1,
+                    end - last_mm / static_cast<double>(kFitDegree) * *ends.end_direction);
+    }
+  }
+}
+
 }  // namespace
 
 Eigen::Vector3d FitSpan::at(double w_mm) const {
@@ -107,6 +138,15 @@ Eigen::Vector3d FitSpan::at(double w_mm) const {
     value = value * x + powers.row(k);
   }
   return value.transpose();
+}
+
+Eigen::Vector3d FitSpan::derivative(double w_mm) const {
+  const double x = local(w_mm);
+  Eigen::RowVector3d value = Eigen::RowVector3d::Zero();
+  for (Eigen::Index k = kFitDegree; k > 0; --k) {
+    value = value * x + static_cast<double>(k) * powers.row(k);
+  }
+  return 2.0 / (w_end_mm - w_begin_mm) * value.transpose();
 }
 
 double FitSpan::bend_bound_per_mm() const {
@@ -183,18 +223,7 @@ SplineFit fit_spline(std::span<const double> breaks_mm, std::span<const FitSampl
       equations.stiffen(k + i, kStiffness * (span.w_end_mm - span.w_begin_mm));
     }
   }
-  if (ends.tail) {
-    const auto first =
-        first_coefficients(bases[0], 0.5 * (breaks_mm[1] - breaks_mm[0]), *ends.tail, origin);
-    for (std::size_t i = 0; i < kFitDegree; ++i) {
-      equations.fix(i, first[i]);
-    }
-  } else {
-    equations.fix(0, curves::vec(ends.begin_mm) - origin);
-  }
-  if (ends.end_mm) {
-    equations.fix(spans + kFitDegree - 1, curves::vec(*ends.end_mm) - origin);
-  }
+  fix_ends(breaks_mm, bases.front(), ends, origin, equations);
   const std::vector<Eigen::Vector3d> coefficients = equations.solve();
   for (std::size_t k = 0; k < spans; ++k) {
     FitSpan& span = fit.spans.emplace_back();

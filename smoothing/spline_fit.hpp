@@ -49,6 +49,7 @@ struct FitSpan {
     return (2.0 * w_mm - w_begin_mm - w_end_mm) / (w_end_mm - w_begin_mm);
   }
   [[nodiscard]] Eigen::Vector3d at(double w_mm) const;
+  [[nodiscard]] Eigen::Vector3d derivative(double w_mm) const;
   // Of |C''(w)| on the span.
   [[nodiscard]] double bend_bound_per_mm() const;
   [[nodiscard]] curves::BezierSpan bezier() const;
@@ -60,6 +61,10 @@ struct FitEnds {
   std::optional<SplineTail> tail{};
   // Nothing: the end is as free as the rest.
   std::optional<curves::Position> end_mm{};
+  // Of length 1: the first derivatives there, of ends that are given as points. Beside a tail the
+  // end has one only if there are two spans or more.
+  std::optional<Eigen::Vector3d> begin_direction{};
+  std::optional<Eigen::Vector3d> end_direction{};
 };
 
 struct SplineFit {
