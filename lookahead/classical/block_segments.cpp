@@ -49,13 +49,18 @@ void bind_valleys(std::vector<VelocitySegment>& segments, const Block& block,
   }
 }
 
-// A block's segments, and how long each takes where the block is run from rest to rest.
+// A block's segments, and how long each takes where the block comes to rest beside them and where
+// it does not, together: which it is only the next block can say.
 class PlannedSegments {
  public:
-  PlannedSegments(std::vector<VelocitySegment> segments, RestToRest& run)
-      : segments_(std::move(segments)),
-        durations_s_(run.durations_s(segments_)),
-        duration_s_(std::accumulate(durations_s_.begin(), durations_s_.end(), 0.0)) {}
+  PlannedSegments(std::vector<VelocitySegment> segments, bool begins_at_rest, BlockRuns& runs)
+      : segments_(std::move(segments)), durations_s_(runs.rest_to_rest_s(segments_)) {
+    const std::vector<double> in_motion_s = runs.in_motion_s(segments_, begins_at_rest);
+    for (std::size_t i = 0; i < durations_s_.size(); ++i) {
+      durations_s_[i] += in_motion_s[i];
+    }
+    duration_s_ = std::accumulate(durations_s_.begin(), durations_s_.end(), 0.0);
+  }
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
   [[nodiscard]] std::vector<VelocitySegment>&& segments() && { return std::move(segments_); }
@@ -81,7 +86,7 @@ class PlannedSegments {
  private:
   std::vector<VelocitySegment> segments_;
   std::vector<double> durations_s_;
-  double duration_s_;
+  double duration_s_ = 0.0;
 };
 
 // From each place where both are cut to the next, the segments of the one that takes less time.
@@ -114,7 +119,8 @@ std::vector<VelocitySegment> mixed(const PlannedSegments& a, const PlannedSegmen
 
 }  // namespace
 
-std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules& rules) {
+std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules& rules,
+                                         bool begins_at_rest) {
   const PlanLimits limits = limits_of(rules);
   AxisLimitCurve axis_limits;
   if (const auto* nurbs = std::get_if<curves::NurbsCurve>(&block.curve)) {
@@ -134,7 +140,7 @@ std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules
   if (heights.size() == 1) {
     return split_at(heights.front());
   }
-  RestToRest run(rules.profile);
+  BlockRuns runs(rules.profile);
   std::optional<PlannedSegments> fastest;
   const auto take = [&](PlannedSegments&& planned) {
     if (!fastest || planned.duration_s() < fastest->duration_s()) {
@@ -142,9 +148,9 @@ std::vector<VelocitySegment> segments_of(const Block& block, const JunctionRules
     }
   };
   for (const double height : heights) {
-    PlannedSegments planned(split_at(height), run);
+    PlannedSegments planned(split_at(height), begins_at_rest, runs);
     if (fastest) {
-      take({mixed(*fastest, planned), run});
+      take({mixed(*fastest, planned), begins_at_rest, runs});
     }
     take(std::move(planned));
   }

@@ -42,13 +42,19 @@ double end_mm(const VelocitySegment& segment, const Block& block) {
 
 }  // namespace
 
+void ClassicalSchedule::use(const profiles::Profile& profile) {
+  assert(empty());
+  settings_.profile = profile;
+}
+
 void ClassicalSchedule::push(const Window<Block>& blocks) {
   const std::size_t last = blocks.size() - 1;
   push(blocks[last], last > 0 ? &blocks[last - 1] : nullptr);
 }
 
 void ClassicalSchedule::push(const Block& block, const Block* before) {
-  std::vector<VelocitySegment> segments = segments_of(block, {settings_.limits, settings_.profile});
+  std::vector<VelocitySegment> segments =
+      segments_of(block, {settings_.limits, settings_.profile}, before == nullptr);
   if (settings_.observer && !block.limit_curve.empty()) {
     settings_.observer->cut({.line = block.line,
                              .breaking_points = breaking_points(block.limit_curve, 0.0).size(),

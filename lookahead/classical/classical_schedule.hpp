@@ -30,6 +30,8 @@ class ClassicalSchedule final : public Schedule {
 
   explicit ClassicalSchedule(Settings settings) : settings_(std::move(settings)) {}
 
+  // For what is pushed next. Precondition: empty.
+  void use(const profiles::Profile& profile);
   void push(const Window<Block>& blocks) override;
   // before: the block that it joins; null: it begins at rest.
   void push(const Block& block, const Block* before);

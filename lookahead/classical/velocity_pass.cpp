@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace kerf::lookahead {
 
@@ -30,8 +31,10 @@ void backward_pass(Window<WindowSegment>& window, const profiles::Profile& profi
     item.brakes_for_window = for_window;
     if (i > 0) {
       const double cap = window[i - 1].segment.end.feedrate_mm_s;
-      v_begin_of_next = reach_backward_mm_s(
-          item.segment, {.v_end_mm_s = item.v_end_mm_s, .cap_mm_s = cap}, profile);
+      const SegmentEnds ends =
+          ends_backward(item.segment, {.v_end_mm_s = item.v_end_mm_s, .cap_mm_s = cap}, profile);
+      item.v_end_mm_s = ends.v_end_mm_s;
+      v_begin_of_next = ends.v_begin_mm_s;
       keep_surest(item, v_begin_of_next, profile);
       if (!item.segment.axis_limits.empty()) {
         v_begin_of_next = item.sure.v_begin_mm_s;
@@ -72,11 +75,52 @@ SegmentPlan plan_joined(const WindowSegment& item, const Ending& ending, double 
                           : plan_segment(item.segment, {v_begin_mm_s, ending.v_end_mm_s}, profile);
 }
 
-std::vector<double> RestToRest::durations_s(const std::vector<VelocitySegment>& segments) {
+std::vector<double> BlockRuns::rest_to_rest_s(const std::vector<VelocitySegment>& segments) {
   Window<WindowSegment> window;
   for (const VelocitySegment& segment : segments) {
     window.push_back({.segment = segment});
   }
+  return durations_s(std::move(window));
+}
+
+std::vector<double> BlockRuns::in_motion_s(const std::vector<VelocitySegment>& segments,
+                                           bool begins_at_rest) {
+  const auto line_beside = [&](const VelocitySegment& segment, double v_mm_s) {
+    VelocitySegment line{.limits = segment.limits};
+    line.limits.feedrate_mm_s = std::min(segment.limits.feedrate_mm_s, v_mm_s);
+    line.length_mm =
+        profile_.length_mm({.v_end_mm_s = line.limits.feedrate_mm_s}, line.limits.ramp);
+    line.end.feedrate_mm_s = line.limits.feedrate_mm_s;
+    return line;
+  };
+  Window<WindowSegment> window;
+  if (!begins_at_rest) {
+    const VelocitySegment& first = segments.front();
+    VelocitySegment before = line_beside(first, first.rise.bottom_mm_s());
+    before.s_begin_mm = -before.length_mm;
+    window.push_back({.segment = before});
+  }
+  for (const VelocitySegment& segment : segments) {
+    window.push_back({.segment = segment});
+  }
+  const VelocitySegment& last = segments.back();
+  VelocitySegment behind = line_beside(last, last.fall.bottom_mm_s());
+  behind.s_begin_mm = last.s_begin_mm + last.length_mm;
+  window.back().segment.end.feedrate_mm_s = behind.limits.feedrate_mm_s;
+  window.push_back({.segment = behind});
+
+  std::vector<double> all_s = durations_s(std::move(window));
+  const double behind_s = all_s.back();
+  all_s.pop_back();
+  all_s.back() += behind_s;
+  if (!begins_at_rest) {
+    all_s[1] += all_s.front();
+    all_s.erase(all_s.begin());
+  }
+  return all_s;
+}
+
+std::vector<double> BlockRuns::durations_s(Window<WindowSegment> window) {
   backward_pass(window, profile_);
   std::vector<double> durations_s;
   double v_mm_s = 0.0;

@@ -31,7 +31,8 @@ struct WindowSegment {
 //
 // 1. The last end is 0: the machine can stop there whatever comes later.
 // 2. An end is min(its junction, the most from which the segment after it still reaches its own
-// end).
+// end). A segment takes a slower end where a part at constant velocity at a faster one would let it
+// begin much slower (ends_backward).
 // 3. The forward pass is not a loop of its own: when a segment is planned for good its beginning is
 //    known, and its end is lowered to what it reaches from there.
 // 4. A pass may find less than the one before: under a jerk braking from v to v / 3 takes more room
@@ -62,16 +63,24 @@ Ending ending_of(const WindowSegment& item, const SegmentEnds& wanted,
 SegmentPlan plan_joined(const WindowSegment& item, const Ending& ending, double v_begin_mm_s,
                         const profiles::Profile& profile);
 
-// How long segments take where all of them are run from rest to rest.
-class RestToRest {
+// How long the segments of a block take where nothing is known of the blocks beside it.
+class BlockRuns {
  public:
-  explicit RestToRest(const profiles::Profile& profile) : profile_(profile) {}
+  explicit BlockRuns(const profiles::Profile& profile) : profile_(profile) {}
 
-  // Of each segment. One that was asked for before, with the same ends, costs no plan: two of a
-  // block differ at most by how valleys within a tick of each other were made one.
-  std::vector<double> durations_s(const std::vector<VelocitySegment>& segments);
+  // Of each segment, from rest to rest.
+  std::vector<double> rest_to_rest_s(const std::vector<VelocitySegment>& segments);
+  // Of each, where lines come behind the block, and in front of it unless it begins at rest, on
+  // which the tool has the feedrates that the block's ends allow; each line, up to a rest, counts
+  // to the segment beside it.
+  std::vector<double> in_motion_s(const std::vector<VelocitySegment>& segments,
+                                  bool begins_at_rest);
 
  private:
+  // One that was asked for before, with the same ends, costs no plan: two of a block differ at most
+  // by how valleys within a tick of each other were made one.
+  std::vector<double> durations_s(Window<WindowSegment> window);
+
   const profiles::Profile& profile_;
   std::map<std::array<double, 4>, double> known_s_;  // where from, how far, and the feedrates there
 };

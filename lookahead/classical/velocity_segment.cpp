@@ -1,6 +1,7 @@
 #include "lookahead/classical/velocity_segment.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <utility>
 
@@ -18,6 +19,8 @@ namespace {
 constexpr double kAboveRounding = 1.0 + 1e-12;
 // How close to the highest feedrate a reach comes where curvature binds.
 constexpr double kCloseInTurn = 1e-3;
+// Of an end's feedrate: those that are tried where a part at constant velocity binds.
+constexpr std::array kSlowerEnds{0.75, 0.5, 0.25, 0.0};
 
 // A ramp from a known feedrate at one end of a segment towards a cap at the other; a deceleration
 // is a ramp seen from the other end. Parts at constant velocity lengthen with the feedrate at their
@@ -60,6 +63,14 @@ double reach_mm_s(const VelocitySegment& segment, const Reach& reach, const Prof
   return low;
 }
 
+Reach backward(const VelocitySegment& segment, const BackwardQuery& query) {
+  return {.side = SegmentSide::fall,
+          .v_low_mm_s = query.v_end_mm_s,
+          .cap_mm_s = query.cap_mm_s,
+          .near_constant_velocity_s = segment.end.constant_velocity_s,
+          .far_constant_velocity_s = segment.begin_constant_velocity_s};
+}
+
 // Makes a cruise at an end of a segment longer.
 void lengthen(Transition& constant_velocity, double v_mm_s, double by_mm) {
   if (by_mm > 0.0) {
@@ -98,17 +109,31 @@ double SegmentPlan::duration_s() const noexcept {
 
 double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& query,
                            const Profile& profile) {
-  Reach reach{.side = SegmentSide::fall,
-              .v_low_mm_s = query.v_end_mm_s,
-              .cap_mm_s = query.cap_mm_s,
-              .near_constant_velocity_s = segment.end.constant_velocity_s,
-              .far_constant_velocity_s = segment.begin_constant_velocity_s};
+  Reach reach = backward(segment, query);
   const double reached = reach_mm_s(segment, reach, profile);
   if (segment.end.constant_velocity_s == 0.0 || reached >= query.cap_mm_s) {
     return reached;
   }
   reach.v_low_mm_s = 0.0;
   return std::max(reached, reach_mm_s(segment, reach, profile));
+}
+
+SegmentEnds ends_backward(const VelocitySegment& segment, const BackwardQuery& query,
+                          const Profile& profile) {
+  Reach reach = backward(segment, query);
+  SegmentEnds best{.v_begin_mm_s = reach_mm_s(segment, reach, profile),
+                   .v_end_mm_s = query.v_end_mm_s};
+  if (segment.end.constant_velocity_s == 0.0 || best.v_begin_mm_s >= query.cap_mm_s) {
+    return best;
+  }
+  for (const double share : kSlowerEnds) {
+    reach.v_low_mm_s = share * query.v_end_mm_s;
+    const double v_begin = reach_mm_s(segment, reach, profile);
+    if (v_begin + reach.v_low_mm_s > best.v_begin_mm_s + best.v_end_mm_s) {
+      best = {.v_begin_mm_s = v_begin, .v_end_mm_s = reach.v_low_mm_s};
+    }
+  }
+  return best;
 }
 
 double end_feedrate_mm_s(const VelocitySegment& segment, const SegmentEnds& wanted,

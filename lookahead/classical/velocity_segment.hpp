@@ -58,6 +58,12 @@ struct BackwardQuery {
 double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& query,
                            const profiles::Profile& profile);
 
+// The ends <= cap and <= v_end that take the least time at about their mean feedrate. Where a part
+// at constant velocity takes much of the segment, a slower end lets it begin faster, and costs time
+// behind it.
+SegmentEnds ends_backward(const VelocitySegment& segment, const BackwardQuery& query,
+                          const profiles::Profile& profile);
+
 // The largest feedrate <= wanted.v_end with which the segment can end that begins with
 // wanted.v_begin. A part at constant velocity takes room at its feedrate, and braking to a third
 // takes more room than braking to rest, so a slower end may fit where a faster one does not and the

@@ -34,7 +34,7 @@ struct Cut {
 };
 
 Cut planned(const std::vector<VelocitySegment>& segments, const profiles::Profile& profile) {
-  const std::vector<double> durations_s = RestToRest(profile).durations_s(segments);
+  const std::vector<double> durations_s = BlockRuns(profile).rest_to_rest_s(segments);
   return {segments.size(), std::accumulate(durations_s.begin(), durations_s.end(), 0.0)};
 }
 
@@ -49,7 +49,7 @@ Cuts cuts_of(const curves::NurbsData& data, profiles::ProfileKind kind) {
   const Block block = blocks_of({nurbs_move(data, 200.0)}, limits).front();
   const auto axis_limits = scan_axis_limits(std::get<curves::NurbsCurve>(block.curve),
                                             block.limits.feedrate_mm_s, limits);
-  return {.chosen = planned(segments_of(block, {limits, profile}), profile),
+  return {.chosen = planned(segments_of(block, {limits, profile}, false), profile),
           .at_every_valley = planned(split(block, {axis_limits, limits}, 0.05), profile)};
 }
 
@@ -69,6 +69,23 @@ TEST(BlockSegments, TakeLessTimeThanWithAllValleys) {
     EXPECT_LT(cuts.chosen.segments, cuts.at_every_valley.segments);
     EXPECT_LT(cuts.chosen.duration_s, 0.95 * cuts.at_every_valley.duration_s);
   }
+}
+
+// From rest over those valleys to the feedrate at the end, one ramp is as gentle as the lowest of
+// them asks for.
+TEST(BlockSegments, AreNotOneRampWhereTheBlockBeginsAtRestAndEndsInMotion) {
+  const PlanLimits limits = mill();
+  const profiles::Profile profile(profiles::ProfileKind::s_curve);
+  const Block block = blocks_of({nurbs_move(wave(40, 0.05), 200.0)}, limits).front();
+  const auto axis_limits = scan_axis_limits(std::get<curves::NurbsCurve>(block.curve),
+                                            block.limits.feedrate_mm_s, limits);
+  const auto duration_s = [&](const std::vector<VelocitySegment>& segments) {
+    const std::vector<double> durations_s = BlockRuns(profile).in_motion_s(segments, true);
+    return std::accumulate(durations_s.begin(), durations_s.end(), 0.0);
+  };
+  const auto one_ramp = split(block, {axis_limits, limits}, 0.6);
+  ASSERT_EQ(one_ramp.size(), 1U);
+  EXPECT_LT(duration_s(segments_of(block, {limits, profile}, true)), 0.7 * duration_s(one_ramp));
 }
 
 TEST(BlockSegments, EndInDeepValleys) {
