@@ -45,7 +45,7 @@ struct PathDeviation {
 struct PlanDegradation {
   enum class Kind : unsigned char {
     slower,     ///< up to its next stop the motion keeps its limits, but could be faster
-    classical,  ///< up to its next stop it follows the plan of the S-curve
+    classical,  ///< up to its next stop it follows the plan of a classical profile
     stop        ///< the motion comes to rest there though the path does not ask for it
   };
 

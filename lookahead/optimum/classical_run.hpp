@@ -15,6 +15,8 @@ class ClassicalRun {
   [[nodiscard]] const ClassicalSchedule::Settings& settings() const { return settings_; }
   [[nodiscard]] bool empty() const { return schedule_.empty(); }
 
+  // For what is taken next. Precondition: empty.
+  void use(profiles::ProfileKind profile) { schedule_.use(profiles::Profile(profile)); }
   // The window's first blocks, from rest to rest.
   void take(const Window<Block>& blocks, std::size_t count);
   // All blocks up to the next rest; how many of the window's they are. expects_more: where the

@@ -1,6 +1,8 @@
 #include "lookahead/optimum/fallback.hpp"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <variant>
 
 namespace kerf::lookahead {
@@ -8,6 +10,9 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr std::size_t kMinBlocks = 2;
+// The other profiles are hardly ever faster than all of these.
+constexpr std::array kProfilesOnCurves{profiles::ProfileKind::s_curve, profiles::ProfileKind::sine,
+                                       profiles::ProfileKind::sigmoid};
 
 // Curves under limits of axes cost more than a search.
 bool is_cheap_to_plan(const Block& block, const PlanLimits& limits) {
@@ -28,8 +33,10 @@ bool has_singular_place(const PlannedCells& planned) {
   return false;
 }
 
-double classical_s(const FirstBlocks& first, const ClassicalSchedule::Settings& settings) {
+double classical_s(const FirstBlocks& first, const ClassicalSchedule::Settings& settings,
+                   profiles::ProfileKind profile) {
   ClassicalSchedule::Settings trial = settings;
+  trial.profile = profiles::Profile(profile);
   trial.observer = nullptr;  // nothing of it is run
   trial.longest_cruise_s = kUnbounded;
   ClassicalSchedule schedule(trial);
@@ -75,14 +82,27 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
       whole.cells = i + 1;
     }
   }
+  const bool has_curves = !is_cheap;
   is_cheap |= planned.tried || (planned.count <= kFewCells && has_singular_place(planned));
   const bool is_asked = planned.failed ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap;
   if (!is_asked) {
     return std::nullopt;
   }
-  const bool is_faster =
-      classical_s({.blocks = &blocks, .count = whole.blocks}, settings) < planned.blocks_s;
-  return is_faster ? std::optional(whole) : std::nullopt;
+  std::optional<Fallback> fastest;
+  double least_s = planned.blocks_s;
+  const bool ends_at_rest = (*planned.cells)[whole.cells - 1].rest_after;
+  for (const profiles::ProfileKind profile :
+       std::span(kProfilesOnCurves)
+           .first(has_curves && ends_at_rest ? kProfilesOnCurves.size() : 1)) {
+    const double duration_s =
+        classical_s({.blocks = &blocks, .count = whole.blocks}, settings, profile);
+    if (duration_s < least_s) {
+      least_s = duration_s;
+      fastest = whole;
+      fastest->profile = profile;
+    }
+  }
+  return fastest;
 }
 
 }  // namespace kerf::lookahead

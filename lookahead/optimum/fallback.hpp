@@ -35,6 +35,7 @@ struct PlannedCells {
 struct Fallback {
   std::size_t blocks = 0;
   std::size_t cells = 0;
+  profiles::ProfileKind profile = profiles::ProfileKind::s_curve;
 };
 
 // The blocks over which the classical schedule, from rest to rest, is faster than the plans found,
@@ -42,7 +43,9 @@ struct Fallback {
 // to find out. Where the searches ended well it is asked for lines and arcs, for curves without
 // limits of axes, and for short curves that come to rest within or whose curvature jumps: the
 // others are planned in less time than it takes. Where they did not, the blocks are at least two,
-// or what would be run instead was tried.
+// or what would be run instead was tried. Curves under limits of axes that end at a rest are asked
+// for by the smoother profiles too: what the S-curve gains in jerk it may lose where it is kept
+// below a limit curve.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
                                         const ClassicalSchedule::Settings& settings);
 

@@ -112,7 +112,7 @@ WindowSearch OptimumSchedule::search(const Window<Block>& blocks) const {
 
 void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   if (waiting_.front().whole_line) {
-    follow_classical(blocks);
+    follow_classical(blocks, profiles::ProfileKind::s_curve);
     return;
   }
   const WindowSearch search = this->search(blocks);
@@ -126,7 +126,7 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
       return;
     }
     if (faster) {
-      follow_classical(blocks);
+      follow_classical(blocks, faster->profile);
       return;
     }
   }
@@ -157,8 +157,9 @@ void OptimumSchedule::adopt(FoundPlan found) {
   renew_ = std::max(count / 2, window_brake_ - std::min(window_brake_, margin));
 }
 
-void OptimumSchedule::follow_classical(const Window<Block>& blocks) {
+void OptimumSchedule::follow_classical(const Window<Block>& blocks, profiles::ProfileKind profile) {
   assert(cells_left() == 0);
+  classical_.use(profile);
   waiting_.drop_blocks(classical_.follow(blocks, waiting_.has_open_block()));
   if (classical_.goes_on()) {
     waiting_.drop_open();

@@ -65,7 +65,7 @@ class OptimumSchedule final : public Schedule {
   [[nodiscard]] bool is_to_be_renewed() const;
   void plan(Window<Block>& blocks, Emitter& emitter);
   // Hands all blocks up to the next rest to the classical schedule, those to come among them.
-  void follow_classical(const Window<Block>& blocks);
+  void follow_classical(const Window<Block>& blocks, profiles::ProfileKind profile);
   // What was found from a rest in front of a block, up to the end of a block. Where a search on a
   // short curve did not end well, or left off within a few cells before a rest, all of that is
   // planned to see how long it takes.

@@ -76,6 +76,7 @@ void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& b
   if (settings_.observer) {
     settings_.observer->took_classical(fallback.blocks);
   }
+  classical_.use(fallback.profile);
   classical_.take(blocks, fallback.blocks);
   waiting_.drop(fallback.cells);
 }

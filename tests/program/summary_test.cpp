@@ -142,13 +142,13 @@ TEST(Summary, SaysWhereTheTimeOptimumWasNotFound) {
   EXPECT_EQ(warnings[8], "the time optimum was not found at 2 more places");
 }
 
-TEST(Summary, SaysWhereThePlanOfTheSCurveStandsIn) {
+TEST(Summary, SaysWhereAClassicalPlanStandsIn) {
   PlanDegradations degradations;
   degradations.count = 1;
   degradations.first[0] = {.line = 4, .s_mm = 0.0, .kind = PlanDegradation::Kind::classical};
   EXPECT_EQ(describe(degradations).front(),
-            "the time optimum was not found within its budget on line 4: the motion follows the "
-            "s-curve's plan from 0.000000 mm on, up to its next stop");
+            "the time optimum was not found within its budget on line 4: the motion follows a "
+            "classical profile's plan from 0.000000 mm on, up to its next stop");
 }
 
 TEST(LimitUse, AllowsForRoundingAndForLimitsThatAreNone) {

@@ -73,8 +73,8 @@ std::string what_happens(const PlanDegradation& at) {
     case Kind::stop:
       return fmt::format("stops {:.6f} mm from the curve's begin", at.s_mm);
     case Kind::classical:
-      return fmt::format("follows the s-curve's plan from {:.6f} mm on, up to its next stop",
-                         at.s_mm);
+      return fmt::format(
+          "follows a classical profile's plan from {:.6f} mm on, up to its next stop", at.s_mm);
     case Kind::slower:
       break;
   }
