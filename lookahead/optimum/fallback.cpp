@@ -13,6 +13,9 @@ constexpr std::size_t kMinBlocks = 2;
 // The other profiles are hardly ever faster than all of these.
 constexpr std::array kProfilesOnCurves{profiles::ProfileKind::s_curve, profiles::ProfileKind::sine,
                                        profiles::ProfileKind::sigmoid};
+// Where the S-curve takes so many times as long as the search's plan, the others are hardly faster
+// than that plan, and asking them is dear.
+constexpr double kFarBehind = 1.08;
 
 // Curves under limits of axes cost more than a search.
 bool is_cheap_to_plan(const Block& block, const PlanLimits& limits) {
@@ -100,6 +103,9 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
       least_s = duration_s;
       fastest = whole;
       fastest->profile = profile;
+    }
+    if (duration_s > kFarBehind * planned.blocks_s) {
+      break;
     }
   }
   return fastest;
