@@ -25,10 +25,6 @@ constexpr double kStraightRadius_mm = 1e5;
 constexpr double kStraight_mm = 1e-6;
 constexpr double kOfTolerance = 0.2;
 
-double angle(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 // The vertex at least so far away along the run, or the run's end.
 std::size_t walk(const Polyline& run, std::size_t from, double way_mm, bool forward) {
   std::size_t i = from;
@@ -50,10 +46,14 @@ double turn_beside(const Polyline& run, std::size_t index, std::size_t near, boo
   }
   const Eigen::Vector3d inner = vec(run[near].point_mm) - vec(run[index].point_mm);
   const Eigen::Vector3d outer = vec(run[far].point_mm) - vec(run[near].point_mm);
-  return angle(inner, outer);
+  return turn_rad(inner, outer);
 }
 
 }  // namespace
+
+double turn_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
 
 bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
   assert(0 < index && index + 1 < run.size() && tolerance_mm > 0.0);
@@ -62,7 +62,7 @@ bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
   const Eigen::Vector3d out = vec(run[index + 1].point_mm) - here;
   const double in_mm = in.norm();
   const double out_mm = out.norm();
-  const double turn = angle(in, out);
+  const double turn = turn_rad(in, out);
   const auto [shorter, longer] = std::minmax(in_mm, out_mm);
   if (shorter * turn > 8.0 * kChordHeight * tolerance_mm) {
     return true;
@@ -82,7 +82,7 @@ bool is_corner(const Polyline& run, std::size_t index, double tolerance_mm) {
   if (known_mm < kNear * tolerance_mm) {
     return false;
   }
-  const double near = angle(here - vec(run[back].point_mm), vec(run[ahead].point_mm) - here);
+  const double near = turn_rad(here - vec(run[back].point_mm), vec(run[ahead].point_mm) - here);
   return near > kCornerTurn_rad &&
          near > kStandsOut * std::max(turn_beside(run, index, back, false),
                                       turn_beside(run, index, ahead, true));

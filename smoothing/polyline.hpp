@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include <Eigen/Core>
+
 #include "curves/position.hpp"
 #include "parser/moves/move.hpp"
 
@@ -26,6 +28,9 @@ inline bool is_of_one_feedrate(const Vertex& a, const Vertex& b) {
 }
 
 using Polyline = std::vector<Vertex>;
+
+// Between two directions of any length, 0 to pi.
+double turn_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 // A place where the program means a corner, seen from the lines around it. Precondition: it is
 // neither the first nor the last vertex. tolerance_mm: of merging, > 0.

@@ -1,7 +1,4 @@
-#include <cmath>
 #include <numbers>
-
-#include <Eigen/Geometry>
 
 #include "smoothing/run_fit.hpp"
 
@@ -20,10 +17,6 @@ struct Joint {
   Eigen::Vector3d lines;   // of the stretch
   Eigen::Vector3d beside;  // of what joins them
 };
-
-double turn_rad(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 // Not where the lines lead back to where they begin.
 bool is_sharper(const Eigen::Vector3d& spline, const Joint& joint) {

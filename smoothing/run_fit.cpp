@@ -158,7 +158,7 @@ class Fitting {
     for (std::size_t i = from; i <= std::min(vertex(k + 1), stretch_.last - 1); ++i) {
       const Eigen::Vector3d in = vec(point(i)) - vec(point(i - 1));
       const Eigen::Vector3d out = vec(point(i + 1)) - vec(point(i));
-      const double turn = std::atan2(in.cross(out).norm(), in.dot(out));
+      const double turn = turn_rad(in, out);
       if (turn > most) {
         most = turn;
         found = i;
