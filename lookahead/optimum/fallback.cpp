@@ -46,6 +46,26 @@ double classical_s(const FirstBlocks& first, const ClassicalSchedule::Settings& 
   return duration_from_rest_s(schedule, first, settings.limits);
 }
 
+// None: none is faster than the search's plan.
+std::optional<profiles::ProfileKind> fastest_profile(const FirstBlocks& first,
+                                                     const ClassicalSchedule::Settings& settings,
+                                                     double searched_s,
+                                                     std::span<const profiles::ProfileKind> asked) {
+  std::optional<profiles::ProfileKind> fastest;
+  double least_s = searched_s;
+  for (const profiles::ProfileKind profile : asked) {
+    const double duration_s = classical_s(first, settings, profile);
+    if (duration_s < least_s) {
+      least_s = duration_s;
+      fastest = profile;
+    }
+    if (duration_s > kFarBehind * searched_s) {
+      break;
+    }
+  }
+  return fastest;
+}
+
 }  // namespace
 
 double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first,
@@ -91,24 +111,16 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
   if (!is_asked) {
     return std::nullopt;
   }
-  std::optional<Fallback> fastest;
-  double least_s = planned.blocks_s;
   const bool ends_at_rest = (*planned.cells)[whole.cells - 1].rest_after;
-  for (const profiles::ProfileKind profile :
-       std::span(kProfilesOnCurves)
-           .first(has_curves && ends_at_rest ? kProfilesOnCurves.size() : 1)) {
-    const double duration_s =
-        classical_s({.blocks = &blocks, .count = whole.blocks}, settings, profile);
-    if (duration_s < least_s) {
-      least_s = duration_s;
-      fastest = whole;
-      fastest->profile = profile;
-    }
-    if (duration_s > kFarBehind * planned.blocks_s) {
-      break;
-    }
+  const auto profile =
+      fastest_profile({.blocks = &blocks, .count = whole.blocks}, settings, planned.blocks_s,
+                      has_curves && ends_at_rest ? std::span(kProfilesOnCurves)
+                                                 : std::span(kProfilesOnCurves).first(1));
+  if (!profile) {
+    return std::nullopt;
   }
-  return fastest;
+  whole.profile = *profile;
+  return whole;
 }
 
 }  // namespace kerf::lookahead
