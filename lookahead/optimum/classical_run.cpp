@@ -10,11 +10,16 @@ void ClassicalRun::take(const Window<Block>& blocks, std::size_t count) {
   }
 }
 
-std::size_t ClassicalRun::follow(const Window<Block>& blocks, bool expects_more) {
+std::size_t ClassicalRun::run_length(const Window<Block>& blocks) const {
   std::size_t count = 1;
   while (count < blocks.size() && !stops_between(blocks[count - 1], blocks[count])) {
     ++count;
   }
+  return count;
+}
+
+std::size_t ClassicalRun::follow(const Window<Block>& blocks, bool expects_more) {
+  const std::size_t count = run_length(blocks);
   take(blocks, count);
   goes_on_ = expects_more && count == blocks.size();
   return count;

@@ -19,8 +19,10 @@ class ClassicalRun {
   void use(profiles::ProfileKind profile) { schedule_.use(profiles::Profile(profile)); }
   // The window's first blocks, from rest to rest.
   void take(const Window<Block>& blocks, std::size_t count);
-  // All blocks up to the next rest; how many of the window's they are. expects_more: where the
-  // window ends before that rest, the blocks to come are among them.
+  // How many of the window's first blocks stand before the next rest.
+  [[nodiscard]] std::size_t run_length(const Window<Block>& blocks) const;
+  // Takes them, and says how many they are. expects_more: where the window ends before that rest,
+  // the blocks to come are among them.
   std::size_t follow(const Window<Block>& blocks, bool expects_more);
   [[nodiscard]] bool goes_on() const { return goes_on_; }
   // Takes the window's last block where the run goes on with it; if not, the run has ended.

@@ -17,12 +17,29 @@ constexpr std::array kProfilesOnCurves{profiles::ProfileKind::s_curve, profiles:
 // than that plan, and asking them is dear.
 constexpr double kFarBehind = 1.08;
 
+bool axes_are_unbounded(const PlanLimits& limits) {
+  return std::ranges::all_of(limits.axes, [](const MotionLimits& axis) {
+    return axis.acceleration_mm_s2 == kUnbounded && axis.jerk_mm_s3 == kUnbounded;
+  });
+}
+
 // Curves under limits of axes cost more than a search.
 bool is_cheap_to_plan(const Block& block, const PlanLimits& limits) {
-  return !std::holds_alternative<curves::NurbsCurve>(block.curve) ||
-         std::ranges::all_of(limits.axes, [](const MotionLimits& axis) {
-           return axis.acceleration_mm_s2 == kUnbounded && axis.jerk_mm_s3 == kUnbounded;
-         });
+  return !std::holds_alternative<curves::NurbsCurve>(block.curve) || axes_are_unbounded(limits);
+}
+
+// From the first given on. Elsewhere the S-curve's constants are less than what the axes allow at
+// most places.
+bool have_constant_limits(const FirstBlocks& run, std::size_t first, const PlanLimits& limits) {
+  if (axes_are_unbounded(limits)) {
+    return true;
+  }
+  for (std::size_t i = first; i < run.count; ++i) {
+    if (!std::holds_alternative<curves::Line>((*run.blocks)[i].curve)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 // A rest within a block, or a jump of direction or curvature.
@@ -93,8 +110,9 @@ double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first,
   return clock.now_s();
 }
 
-std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const FirstBlocks& run,
                                         const ClassicalSchedule::Settings& settings) {
+  const Window<Block>& blocks = *run.blocks;
   Fallback whole;
   bool is_cheap = true;
   for (std::size_t i = 0; i < planned.count; ++i) {
@@ -107,7 +125,10 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Windo
   }
   const bool has_curves = !is_cheap;
   is_cheap |= planned.tried || (planned.count <= kFewCells && has_singular_place(planned));
-  const bool is_asked = planned.failed ? whole.blocks >= kMinBlocks : whole.blocks > 0 && is_cheap;
+  const bool is_asked = planned.failed
+                            ? whole.blocks >= kMinBlocks
+                            : whole.blocks > 0 && is_cheap &&
+                                  have_constant_limits(run, whole.blocks, settings.limits);
   if (!is_asked) {
     return std::nullopt;
   }

@@ -46,7 +46,10 @@ struct Fallback {
 // or what would be run instead was tried. Curves under limits of axes that end at a rest are asked
 // for by the smoother profiles too: what the S-curve gains in jerk it may lose where it is kept
 // below a limit curve.
-std::optional<Fallback> faster_fallback(const PlannedCells& planned, const Window<Block>& blocks,
+//
+// run: up to the next rest. Where the searches ended well the classical schedule takes all of it,
+// so it is not asked for where the cells end before an arc or a curve under limits of axes.
+std::optional<Fallback> faster_fallback(const PlannedCells& planned, const FirstBlocks& run,
                                         const ClassicalSchedule::Settings& settings);
 
 }  // namespace kerf::lookahead

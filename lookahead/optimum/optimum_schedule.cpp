@@ -119,8 +119,9 @@ void OptimumSchedule::plan(Window<Block>& blocks, Emitter& emitter) {
   const bool from_rest = cells_left() == 0;
   FoundPlan found = search.over_all();
   if (from_rest && settings_.takes_classical && waiting_.front().cell.s_begin_mm == 0.0) {
-    const auto faster =
-        faster_fallback(tried_to_block_end(found, search, blocks), blocks, classical_.settings());
+    const auto faster = faster_fallback(tried_to_block_end(found, search, blocks),
+                                        {.blocks = &blocks, .count = classical_.run_length(blocks)},
+                                        classical_.settings());
     if (faster && !found.ended_well()) {
       fall_back(*faster, blocks, emitter);
       return;

@@ -226,5 +226,22 @@ TEST(TimeOptimum, IsFoundAroundBlendsOfShortArcs) {
   EXPECT_EQ(plan_of(run).degradations.count, 0U);
 }
 
+// Over the short line the S-curve is faster than the search, from rest to rest. Over the arc, with
+// constants for all of it, it is much slower.
+TEST(TimeOptimum, FollowsNoSCurveFromAShortLineOntoAnArc) {
+  MachineSettings settings = default_machine();
+  settings.limits.path = {.velocity_mm_s = 1e6, .acceleration_mm_s2 = 1e9, .jerk_mm_s3 = 1e12};
+  settings.limits.axes = {
+      MotionLimits{.velocity_mm_s = 1000, .acceleration_mm_s2 = 46000, .jerk_mm_s3 = 566},
+      MotionLimits{.velocity_mm_s = 4100, .acceleration_mm_s2 = 199000, .jerk_mm_s3 = 333000},
+      MotionLimits{.velocity_mm_s = 17, .acceleration_mm_s2 = 41500, .jerk_mm_s3 = 32800}};
+  const SmoothRun run{.name = "a line and an arc",
+                      .text =
+                          "G21 G90 G61 F45000\nG0 X0.0011617 Y0.0092878 Z0.0000868\n"
+                          "G18 G3 X-0.9075283 Y-12.0396038 Z2.403222 I-5.0421564 K-0.5332072\nM2\n",
+                      .settings = settings};
+  expect_no_slower(run, kRivals);
+}
+
 }  // namespace
 }  // namespace kerf::test
