@@ -44,6 +44,11 @@ Eigen::Vector3d direction_of(const Polyline& run, const Way& vertices, double ov
   return way.normalized();
 }
 
+// A shorter one would have to bend like a hook.
+bool may_bend(const FitSpan& span, double tolerance_mm) {
+  return span.w_end_mm - span.w_begin_mm >= tolerance_mm;
+}
+
 }  // namespace
 
 bool hold_ends(const Polyline& run, const RunStretch& stretch, const SplineFit& spline,
@@ -52,7 +57,8 @@ bool hold_ends(const Polyline& run, const RunStretch& stretch, const SplineFit& 
   if (!ends.tail && !ends.begin_direction) {
     const Eigen::Vector3d lines = direction_of(run, {.from = 0, .to = stretch.last}, tolerance_mm);
     const FitSpan& first = spline.spans.front();
-    if (is_sharper(first.derivative(first.w_begin_mm),
+    if (may_bend(first, tolerance_mm) &&
+        is_sharper(first.derivative(first.w_begin_mm),
                    {.lines = lines, .beside = stretch.before.value_or(lines)})) {
       ends.begin_direction = lines;
       held = true;
@@ -66,7 +72,8 @@ bool hold_ends(const Polyline& run, const RunStretch& stretch, const SplineFit& 
         stretch.last < end ? direction_of(run, {.from = stretch.last, .to = end}, tolerance_mm)
                            : lines;
     const FitSpan& last = spline.spans.back();
-    if (is_sharper(last.derivative(last.w_end_mm), {.lines = lines, .beside = after})) {
+    if (may_bend(last, tolerance_mm) &&
+        is_sharper(last.derivative(last.w_end_mm), {.lines = lines, .beside = after})) {
       ends.end_direction = lines;
       held = true;
     }

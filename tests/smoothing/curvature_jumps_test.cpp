@@ -214,5 +214,30 @@ TEST(CurvatureJumps, LoseNoCurveWhosePointsCoincide) {
   EXPECT_GT(made, 100);
 }
 
+// Beside its points that coincide a curve of degree 9 is sampled nanometres apart. Held in the
+// direction of its lines, a spline would bend there like a hook.
+TEST(CurvatureJumps, LeaveNoHookWhereACurveEndsInSpansOfNanometres) {
+  NurbsMove nurbs;
+  nurbs.degree = 9;
+  nurbs.points = {{{14.7217769202, 13.0532796253, 20.7025544261}},
+                  {{-31.7355095834, 19.6217365217, -4.7059154133}},
+                  {{-32.2619289572, -31.3475095931, 30.955080695}},
+                  {{-32.2619289701, -31.3475096035, 30.9550807004}},
+                  {{4.3657074848, -33.3180859419, -16.9210939683}},
+                  {{4.3657075276, -33.3180859926, -16.9210939426}},
+                  {{4.3657075276, -33.3180859926, -16.9210939426}},
+                  {{4.3657075001, -33.3180859885, -16.921093908}},
+                  {{-24.8859849028, 11.1093729913, 20.4599199332}},
+                  {{-24.8859849028, 11.1093729913, 20.4599199332}},
+                  {{23.6164414912, 15.308672491, -38.0682542454}},
+                  {{23.6164414912, 15.308672491, -38.0682542454}}};
+  const double knot = 0.0079766128;
+  nurbs.knots.assign(10, 0.0);
+  nurbs.knots.insert(nurbs.knots.end(), 2, knot);
+  nurbs.knots.insert(nurbs.knots.end(), 10, 1.0 + knot);
+  const Move move = move_along(nurbs, 100.0, 0.01);
+  EXPECT_EQ(faults_of_junctions({move}, smooth({move})), "");
+}
+
 }  // namespace
 }  // namespace kerf::test
