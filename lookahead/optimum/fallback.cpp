@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <span>
 #include <variant>
+#include <vector>
 
 namespace kerf::lookahead {
 
@@ -16,6 +18,8 @@ constexpr std::array kProfilesOnCurves{profiles::ProfileKind::s_curve, profiles:
 // Where the S-curve takes so many times as long as the search's plan, the others are hardly faster
 // than that plan, and asking them is dear.
 constexpr double kFarBehind = 1.08;
+// What is less of a lead may be lost again behind the blocks that are looked at.
+constexpr double kLead = 1.0 - 1e-3;
 
 bool axes_are_unbounded(const PlanLimits& limits) {
   return std::ranges::all_of(limits.axes, [](const MotionLimits& axis) {
@@ -53,30 +57,49 @@ bool has_singular_place(const PlannedCells& planned) {
   return false;
 }
 
-double classical_s(const FirstBlocks& first, const ClassicalSchedule::Settings& settings,
-                   profiles::ProfileKind profile) {
+std::vector<BlockPassing> classical_passings(const FirstBlocks& first,
+                                             const ClassicalSchedule::Settings& settings,
+                                             profiles::ProfileKind profile) {
   ClassicalSchedule::Settings trial = settings;
   trial.profile = profiles::Profile(profile);
   trial.observer = nullptr;  // nothing of it is run
   trial.longest_cruise_s = kUnbounded;
   ClassicalSchedule schedule(trial);
-  return duration_from_rest_s(schedule, first, settings.limits);
+  return passings_from_rest(schedule, first, settings.limits);
 }
+
+// The classical schedule comes to rest where the search's plan goes on. It leads where at the last
+// place that it passes no more slowly, in the second half, it is there earlier.
+bool leads(const std::vector<BlockPassing>& classical, const std::vector<BlockPassing>& searched) {
+  for (std::size_t i = classical.size(); 2 * i > classical.size(); --i) {
+    const BlockPassing& passing = classical[i - 1];
+    if (passing.v_mm_s >= searched[i - 1].v_mm_s) {
+      return passing.t_s < kLead * searched[i - 1].t_s;
+    }
+  }
+  return false;
+}
+
+struct Asked {
+  std::span<const profiles::ProfileKind> profiles;
+  bool to_lead = false;  // is enough: the run goes on as it is
+};
 
 // None: none is faster than the search's plan.
 std::optional<profiles::ProfileKind> fastest_profile(const FirstBlocks& first,
                                                      const ClassicalSchedule::Settings& settings,
-                                                     double searched_s,
-                                                     std::span<const profiles::ProfileKind> asked) {
+                                                     const std::vector<BlockPassing>& searched,
+                                                     const Asked& asked) {
   std::optional<profiles::ProfileKind> fastest;
-  double least_s = searched_s;
-  for (const profiles::ProfileKind profile : asked) {
-    const double duration_s = classical_s(first, settings, profile);
-    if (duration_s < least_s) {
+  double least_s = searched.back().t_s;
+  for (const profiles::ProfileKind profile : asked.profiles) {
+    const std::vector<BlockPassing> passings = classical_passings(first, settings, profile);
+    const double duration_s = passings.back().t_s;
+    if (duration_s < least_s || (asked.to_lead && leads(passings, searched))) {
       least_s = duration_s;
       fastest = profile;
     }
-    if (duration_s > kFarBehind * searched_s) {
+    if (duration_s > kFarBehind * searched.back().t_s) {
       break;
     }
   }
@@ -85,16 +108,18 @@ std::optional<profiles::ProfileKind> fastest_profile(const FirstBlocks& first,
 
 }  // namespace
 
-double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first,
-                            const PlanLimits& limits) {
+std::vector<BlockPassing> passings_from_rest(Schedule& schedule, const FirstBlocks& first,
+                                             const PlanLimits& limits) {
   Window<Block> copies;
   for (std::size_t i = 0; i < first.count; ++i) {
     copies.push_back(Block((*first.blocks)[i]));
     schedule.push(copies);
   }
+  std::vector<BlockPassing> passings;
   Emitter emitter(limits.period_s);
   Outbox outbox;
   PlanClock clock(limits.period_s);
+  double v_mm_s = 0.0;
   bool rests = false;
   while (!schedule.empty()) {
     schedule.emit(copies, Supply::to_rest, emitter, outbox);
@@ -104,10 +129,12 @@ double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first,
       }
       clock.advance(phase.law.duration_s());
       rests = phase.ends_at_rest;
+      v_mm_s = rests ? 0.0 : phase.law.at(phase.law.duration_s()).v_mm_s;
     }
     outbox.clear();
+    passings.resize(first.count - copies.size(), {.t_s = clock.now_s(), .v_mm_s = v_mm_s});
   }
-  return clock.now_s();
+  return passings;
 }
 
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const FirstBlocks& run,
@@ -132,11 +159,13 @@ std::optional<Fallback> faster_fallback(const PlannedCells& planned, const First
   if (!is_asked) {
     return std::nullopt;
   }
+  assert(planned.passings.size() == whole.blocks);
+  const std::span profiles(kProfilesOnCurves);
   const bool ends_at_rest = (*planned.cells)[whole.cells - 1].rest_after;
-  const auto profile =
-      fastest_profile({.blocks = &blocks, .count = whole.blocks}, settings, planned.blocks_s,
-                      has_curves && ends_at_rest ? std::span(kProfilesOnCurves)
-                                                 : std::span(kProfilesOnCurves).first(1));
+  const auto profile = fastest_profile(
+      {.blocks = &blocks, .count = whole.blocks}, settings, planned.passings,
+      {.profiles = has_curves && ends_at_rest ? profiles : profiles.first(1),
+       .to_lead = !planned.failed && have_constant_limits(run, 0, settings.limits)});
   if (!profile) {
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "lookahead/classical/classical_schedule.hpp"
 #include "lookahead/emit/schedule.hpp"
@@ -18,17 +19,18 @@ struct FirstBlocks {
   const Window<Block>* blocks = nullptr;
   std::size_t count = 0;
 };
-// How long the schedule takes from rest over the first blocks to rest at the end of the last. A
+// How the schedule passes the ends of the first blocks, from rest to rest at the end of the last. A
 // rest within lasts until the next tick.
-double duration_from_rest_s(Schedule& schedule, const FirstBlocks& first, const PlanLimits& limits);
+std::vector<BlockPassing> passings_from_rest(Schedule& schedule, const FirstBlocks& first,
+                                             const PlanLimits& limits);
 
 // The first waiting cells, from a rest at the begin of a block on, as many as plans cover.
 struct PlannedCells {
   const WaitingCells* cells = nullptr;
   std::size_t count = 0;
-  double blocks_s = 0.0;  // to the end of the last whole block: in motion, where more follows
-  bool failed = false;    // a search did not end well, over these cells or more
-  bool tried = false;     // and the duration is that of what would be run instead
+  std::vector<BlockPassing> passings{};  // of the whole blocks; the last in motion, if more follows
+  bool failed = false;                   // a search did not end well, over these cells or more
+  bool tried = false;                    // and the passings are those of what would be run instead
 };
 
 // The whole blocks at their front that follow the classical plan.

@@ -45,8 +45,8 @@ PlannedCells OptimumSchedule::tried_to_block_end(const FoundPlan& found, const W
   settings.takes_classical = false;
   OptimumSchedule schedule(settings);
   planned.count = front.cells;
-  planned.blocks_s =
-      duration_from_rest_s(schedule, {.blocks = &blocks, .count = front.blocks}, settings_.limits);
+  planned.passings =
+      passings_from_rest(schedule, {.blocks = &blocks, .count = front.blocks}, settings_.limits);
   planned.failed = false;
   planned.tried = true;
   return planned;

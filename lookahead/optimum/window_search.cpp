@@ -91,8 +91,9 @@ PlannedCells WindowSearch::planned_to_block_end(const FoundPlan& found) const {
                        .count = found.count,
                        .failed = found.is_shorter || found.plan->slowed_down()};
   const auto add = [&](const OptimalPlan& plan) {
-    const double to_end_s = plan.to_block_end_s();
-    planned.blocks_s = to_end_s > 0.0 ? clock.now_s() + to_end_s : planned.blocks_s;
+    for (const BlockPassing& passing : plan.passings()) {
+      planned.passings.push_back({clock.now_s() + passing.t_s, passing.v_mm_s});
+    }
     clock.advance(plan.duration_s());
   };
   add(*found.plan);

@@ -85,14 +85,16 @@ double OptimalPlan::duration_s() const {
   return sum;
 }
 
-double OptimalPlan::to_block_end_s() const {
-  double sum = 0.0;
-  double to_end = 0.0;
+std::vector<BlockPassing> OptimalPlan::passings() const {
+  std::vector<BlockPassing> passings;
+  double t_s = 0.0;
   for (std::size_t i = 0; i < sequence_.cells.size(); ++i) {
-    sum += law_from({.cell = i}, kUnbounded).duration_s();
-    to_end = sequence_.cells[i].ends_block ? sum : to_end;
+    t_s += law_from({.cell = i}, kUnbounded).duration_s();
+    if (sequence_.cells[i].ends_block) {
+      passings.push_back({.t_s = t_s, .v_mm_s = state_at({.cell = i + 1}).v_mm_s});
+    }
   }
-  return to_end;
+  return passings;
 }
 
 CellSequence OptimalPlan::rest_from(const PlanPlace& place) const {

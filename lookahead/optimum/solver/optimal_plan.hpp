@@ -18,6 +18,12 @@ struct PlanPlace {
   double offset_mm = 0.0;
 };
 
+// How the end of a block is passed.
+struct BlockPassing {
+  double t_s = 0.0;  // from the begin of the plan
+  double v_mm_s = 0.0;
+};
+
 class OptimalPlan {
  public:
   OptimalPlan() = default;
@@ -40,8 +46,8 @@ class OptimalPlan {
   // The law from there on, at the most to the cell's end and for no longer than about longest_s.
   [[nodiscard]] profiles::CellLaw law_from(const PlanPlace& place, double longest_s) const;
   [[nodiscard]] double duration_s() const;
-  // Of that, up to the end of the last block that ends in it; 0: none does.
-  [[nodiscard]] double to_block_end_s() const;
+  // Of the blocks that end in it.
+  [[nodiscard]] std::vector<BlockPassing> passings() const;
   // The constraint that limits the feedrate on a cell.
   [[nodiscard]] Constraint limit_on(std::size_t cell, const PlanLimits& limits) const;
   // The first of the cells on which the feedrate only falls, down to the rest at the end.
