@@ -49,6 +49,8 @@ struct Fallback {
 // for by the smoother profiles too: what the S-curve gains in jerk it may lose where it is kept
 // below a limit curve.
 //
+// On lines the S-curve need not be faster up to its rest, if it leads before.
+//
 // run: up to the next rest. Where the searches ended well the classical schedule takes all of it,
 // so it is not asked for where the cells end before an arc or a curve under limits of axes.
 std::optional<Fallback> faster_fallback(const PlannedCells& planned, const FirstBlocks& run,
