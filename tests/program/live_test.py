@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """`kerf run` by the clock: input that is still coming, signals and the progress bar."""
 import csv
+import fcntl
 import json
 import os
 import pty
 import re
 import select
 import signal
+import struct
 import subprocess
+import termios
 import time
 
 from command_line import Case, KERF, LONG, SQUARE, TOO_FAR, main
@@ -159,9 +162,14 @@ class Signals(Case):
 
 
 class ProgressBar(Case):
-    def on_a_terminal(self, *words):
-        """The process, and what its terminal shows, piece by piece."""
+    def resize(self, terminal, columns):
+        fcntl.ioctl(terminal, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+
+    def on_a_terminal(self, *words, columns=0):
+        """The process, and what its terminal shows, piece by piece. Columns: 0 where it does not know."""
         master, slave = pty.openpty()
+        self.resize(slave, columns)
+        self.master = master
         process = subprocess.Popen([KERF, *words], stdout=subprocess.PIPE, stderr=slave, env={**os.environ, "TERM": "xterm"})
         self.addCleanup(process.kill)
         self.addCleanup(os.close, master)
@@ -202,6 +210,46 @@ class ProgressBar(Case):
         self.assertIn(b"running", shown)
         self.assertIn(b" %", shown)
         self.assertTrue(shown.endswith(b"\r\x1b[K"))
+
+    def widths(self, shown):
+        lines = [len(line) for line in shown.replace(b"\x1b[K", b"").split(b"\r") if line]
+        self.assertGreater(len(lines), 3)
+        return lines
+
+    def test_never_fills_a_row_of_the_terminal(self):
+        slow = self.path("slow.ngc", "G21 G90\nF1200\nG1 X50\nM30\n")  # 2.5 s
+        for columns in (0, 120, 80, 60, 20, 1):
+            with self.subTest(columns=columns):
+                process, pieces = self.on_a_terminal("run", slow, columns=columns)
+                shown = b"".join(pieces)
+                process.communicate(timeout=60)
+                if columns > 1:  # else nothing has room
+                    self.assertIn(b"running", shown)
+                    self.assertLess(max(self.widths(shown)), columns or 80)
+                self.assertNotIn(b"\n", shown)
+
+    def test_of_a_dry_run_never_fills_a_row_of_the_terminal(self):
+        long = self.path("long.ngc", "G21 G90 G61\nF600\n" + "G1 X200\nG1 X0\n" * 1000 + "M30\n")
+        process, pieces = self.on_a_terminal("dry-run", long, columns=30)
+        shown = b""
+        for piece in pieces:
+            shown += piece
+            if shown.count(b"%") > 8:
+                process.send_signal(signal.SIGINT)
+                break
+        process.communicate(timeout=60)
+        self.assertLess(max(self.widths(shown)), 30)
+
+    def test_follows_a_terminal_that_gets_narrower(self):
+        slow = self.path("slow.ngc", "G21 G90\nF1200\nG1 X60\nM30\n")  # 3 s
+        process, pieces = self.on_a_terminal("run", slow, columns=100)
+        shown = next(pieces)
+        self.resize(self.master, 40)
+        next(pieces)  # may have been written before
+        rest = b"".join(pieces)
+        process.communicate(timeout=60)
+        self.assertGreater(max(len(line) for line in shown.split(b"\r")), 40)
+        self.assertLess(max(self.widths(rest)), 40)
 
     def test_never_appears_in_a_pipe(self):
         slow = "G21 G90\nF1200\nG1 X30\nM30\n"

@@ -123,17 +123,26 @@ TEST_F(ProgramFileTest, CopiesNoMoreOfStandardInputThanItMay) {
 }
 
 TEST(ProgressLine, HasABarOfConstantWidth) {
-  EXPECT_EQ(progress_line("running", {.share = 0.0}),
+  EXPECT_EQ(progress_line("running", {.share = 0.0}, 80),
             "running [" + std::string(40, ' ') + "]   0 %");
-  EXPECT_EQ(progress_line("running", {.share = 0.5}),
+  EXPECT_EQ(progress_line("running", {.share = 0.5}, 200),
             "running [" + std::string(20, '#') + std::string(20, ' ') + "]  50 %");
-  EXPECT_EQ(progress_line("running", {.share = 7.0}),
+  EXPECT_EQ(progress_line("running", {.share = 7.0}, 80),
             "running [" + std::string(40, '#') + "] 100 %");
+}
+
+TEST(ProgressLine, ShortensTheBarThenLeavesItOutThenIsCut) {
+  const ProgressShown half{.share = 0.5, .left_s = 12.0};
+  EXPECT_EQ(progress_line("running", half, 45), "running [#########         ]  50 %, 12 s left");
+  EXPECT_EQ(progress_line("running", half, 35), "running [####    ]  50 %, 12 s left");
+  EXPECT_EQ(progress_line("running", half, 34), "running  50 %, 12 s left");
+  EXPECT_EQ(progress_line("running", half, 12), "running  50 ");
+  EXPECT_EQ(progress_line("running", half, 0), "");
 }
 
 TEST(ProgressLine, SaysHowLongTheRestTakes) {
   const auto end_of = [](double left_s) {
-    const std::string line = progress_line("", {.share = 0.5, .left_s = left_s});
+    const std::string line = progress_line("", {.share = 0.5, .left_s = left_s}, 80);
     return line.substr(line.find('%'));
   };
   EXPECT_EQ(end_of(0.2), "%, 1 s left");

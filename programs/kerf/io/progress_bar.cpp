@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
@@ -31,6 +32,14 @@ std::string left_text(double left_s) {
   return fmt::format("{} h {:02} min left", left / kHour, left % kHour / kMinute);
 }
 
+// Without the last one: some terminals wrap as soon as that is written.
+std::size_t columns_of_terminal() noexcept {
+  constexpr std::size_t kUnknown = 80;
+  winsize size{};
+  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return (is_known ? size.ws_col : kUnknown) - 1;
+}
+
 }  // namespace
 
 std::optional<double> left_s_of(const WorkDone& done) noexcept {
@@ -44,13 +53,21 @@ std::optional<double> left_s_of(const WorkDone& done) noexcept {
   return left_s <= kMax_s ? std::optional(left_s) : std::nullopt;
 }
 
-std::string progress_line(const std::string& label, const ProgressShown& shown) {
-  constexpr std::size_t kWidth = 40;
-  const double clamped = std::clamp(shown.share, 0.0, 1.0);
-  const auto full = static_cast<std::size_t>(clamped * static_cast<double>(kWidth));
-  return fmt::format("{} [{}{}] {:3.0f} %{}", label, std::string(full, '#'),
-                     std::string(kWidth - full, ' '), std::floor(clamped * 100.0),
-                     shown.left_s ? ", " + left_text(*shown.left_s) : "");
+std::string progress_line(const std::string& label, const ProgressShown& shown,
+                          std::size_t columns) {
+  constexpr std::size_t kLongestBar = 40;
+  constexpr std::size_t kShortestBar = 8;  // a shorter one says nothing
+  const double share = std::clamp(shown.share, 0.0, 1.0);
+  const std::string figures = fmt::format(" {:3.0f} %{}", std::floor(share * 100.0),
+                                          shown.left_s ? ", " + left_text(*shown.left_s) : "");
+  const std::size_t taken = label.size() + std::string_view(" []").size() + figures.size();
+  std::string bar;
+  if (taken + kShortestBar <= columns) {
+    const std::size_t width = std::min(kLongestBar, columns - taken);
+    const auto full = static_cast<std::size_t>(share * static_cast<double>(width));
+    bar = fmt::format(" [{}{}]", std::string(full, '#'), std::string(width - full, ' '));
+  }
+  return (label + bar + figures).substr(0, columns);
 }
 
 bool ProgressBar::has_terminal() noexcept {
@@ -96,7 +113,8 @@ void ProgressBar::draw() {
     if (left_ == Left::estimated) {
       shown.left_s = left_s_of({.elapsed_s = elapsed.count(), .share = shown.share});
     }
-    write_all(STDERR_FILENO, std::string(kClearLine) + progress_line(label_(), shown));
+    write_all(STDERR_FILENO,
+              std::string(kClearLine) + progress_line(label_(), shown, columns_of_terminal()));
     drawn = true;
   }
   if (drawn) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <condition_variable>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -15,8 +16,10 @@ struct ProgressShown {
   std::optional<double> left_s{};  // nothing: not said
 };
 
-// One line of text: "running  [#####     ]  51 %, 12 s left".
-[[nodiscard]] std::string progress_line(const std::string& label, const ProgressShown& shown);
+// One line of text: "running  [#####     ]  51 %, 12 s left". Where that is more than there are
+// columns, the bar is shorter, then left out; then the end is cut off.
+[[nodiscard]] std::string progress_line(const std::string& label, const ProgressShown& shown,
+                                        std::size_t columns);
 
 // What is left of work of which the share was done in the time: as much a share as before. Nothing:
 // too little is done to say.
@@ -27,7 +30,8 @@ struct WorkDone {
 [[nodiscard]] std::optional<double> left_s_of(const WorkDone& done) noexcept;
 
 // Draws on standard error, ten times a second from the first second on, in a thread of its own: a
-// terminal that is stopped stops nothing else. Gone without a trace when destroyed.
+// terminal that is stopped stops nothing else. Never wider than the terminal is just then: a line
+// that wraps would be a new one each time. Gone without a trace when destroyed.
 class ProgressBar {
  public:
   enum class Left : unsigned char { estimated, not_said };
