@@ -39,6 +39,10 @@ void EmittedItems::add(const interp::Phase& phase) {
 // item before the oldest phase: how its end is passed bounds the motion behind it.
 void EmittedItems::forget_before(std::int64_t tick) {
   while (phases_.size() > 1 && phases_[1].begin.tick + 1 < tick) {
+    const std::uint64_t next = phase_count_ - phases_.size() + 1;
+    for (std::size_t i = 0; i < items_.size() && items_[i].first_phase <= next; ++i) {
+      items_[i].behind_rest |= items_[i].first_phase == next && phases_.front().ends_at_rest;
+    }
     phases_.pop_front();
   }
   const std::uint64_t first = phase_count_ - phases_.size();
@@ -141,7 +145,8 @@ EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
     found.is_on_next = block != nullptr && is_at_end(*block, motion.curve_mm);
     first += found.is_on_next ? 1 : 0;
   }
-  if (first > 0 && items_[first - 1].item) {
+  const bool is_behind_rest = first < items_.size() && this->is_behind_rest(items_[first]);
+  if (first > 0 && items_[first - 1].item && !is_behind_rest) {
     found.before = std::get_if<Block>(&*items_[first - 1].item);
   }
   for (std::size_t i = first; i < items_.size() && items_[i].item; ++i) {
@@ -153,6 +158,13 @@ EmittedItems::Blocks EmittedItems::blocks_from(const Motion& motion) const {
     found.blocks.push_back(block);
   }
   return found;
+}
+
+bool EmittedItems::is_behind_rest(const Entry& entry) const {
+  const std::uint64_t first = phase_count_ - phases_.size();
+  return entry.first_phase > first && entry.first_phase <= phase_count_
+             ? phases_[entry.first_phase - 1 - first].ends_at_rest
+             : entry.behind_rest;
 }
 
 std::optional<EmittedItems::Motion> EmittedItems::rest_before(std::int64_t tick,

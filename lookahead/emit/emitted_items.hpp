@@ -110,7 +110,7 @@ class EmittedItems {
   // The blocks that have ended from the one on that the motion is on, up to a rest. At the end of
   // a block it is on the next.
   struct Blocks {
-    const Block* before = nullptr;  // of the first; null: there is a rest, or it is not kept
+    const Block* before = nullptr;  // of the first; null: there was a rest, or it is not kept
     std::vector<const Block*> blocks{};
     bool is_on_next = false;    // it is at the end of `before`
     bool rest_follows = false;  // else what has not ended follows
@@ -140,8 +140,11 @@ class EmittedItems {
     std::optional<Item> item{};  // nothing: it has not ended
     EmitPlace begin{};
     std::uint64_t first_phase = 0;
+    bool behind_rest = false;  // as a phase told that is no longer kept
   };
 
+  // The motion rested before it.
+  [[nodiscard]] bool is_behind_rest(const Entry& entry) const;
   // The motion is in a rest of no item behind it.
   [[nodiscard]] static bool is_behind(const Entry& entry, const Motion& motion) noexcept {
     return entry.first_phase < motion.number;

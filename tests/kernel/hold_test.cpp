@@ -114,6 +114,21 @@ TEST(Hold, OnALineBrakesInTheShortestWay) {
   }
 }
 
+// The corner in front of the arc is passed at rest, so nothing of it is left in the ticks behind
+// it.
+TEST(Hold, ComesSoonWhereTheToolHasJustLeftARest) {
+  const std::string text = "G21 G90 G61 F1800\nG1 X0.1\nG18 G3 X10.1 I5\nM2\n";
+  for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+    const WatchedProgram program{.text = text, .options = {.profile = {.kind = kind}}};
+    for (std::int64_t tick = 0; tick < 100; ++tick) {
+      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
+      const WatchedRun run = run_held(program, {tick});
+      EXPECT_EQ(run.complaint, "");
+      EXPECT_LE(run.first_held().tick - tick, kLongestStop_ticks);
+    }
+  }
+}
+
 // 5,000 lines of 0.02 mm: the way to rest goes over 700 of them.
 TEST(Hold, OnLinesOfLessThanATickBrakesAsOnTheLineThatTheyMake) {
   WatchedProgram program{.text = "G21 G90 G61 F12000\nG1 X20\n"};

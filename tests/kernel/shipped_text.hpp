@@ -1,6 +1,7 @@
 // Programs for the kernel's tests.
 #pragma once
 
+#include <cstdint>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -48,5 +49,10 @@ inline MachineSettings mill() {
   settings.limits.chord_tolerance_mm = 5e-4;
   return settings;
 }
+
+// On the mill, at the most: 20 ms until a request has changed the motion, A/J until it accelerates no
+// more, and an S-curve from the largest feedrate, v/A + A/J. A program that ends sooner may end
+// before it is held.
+inline constexpr std::int64_t kLongestStop_ticks = 20 + 40 + 75 + 40;
 
 }  // namespace kerf::test
