@@ -1,19 +1,19 @@
 #include "bench/holds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
-#include <vector>
 
 #include <kerf/kernel.hpp>
 #include <kerf/machine.hpp>
 
 #include "bench/control_programs.hpp"
-#include "tests/kernel/off_path.hpp"
+#include "tests/kernel/planned_path.hpp"
 #include "tests/kernel/tick_checker.hpp"
 
 namespace kerf::bench {
@@ -34,16 +34,35 @@ struct Places {
   int remainder = 0;
 };
 
+KernelOptions options_of(const Held& of) {
+  return {.profile = {.kind = of.profile}, .one_thread = true, .start_mm = of.program.start_mm};
+}
+
+// Behind the margin from a request to its plan, an S-curve from the largest feedrate: v/A + A/J.
+std::int64_t longest_stop_ticks() {
+  constexpr double kMargin_s = 0.012;
+  const MotionLimits& path = default_machine().limits.path;
+  const double stop_s =
+      path.velocity_mm_s / path.acceleration_mm_s2 + path.acceleration_mm_s2 / path.jerk_mm_s3;
+  return std::llround((kMargin_s + stop_s) / default_machine().limits.period_s);
+}
+
+// The program without a hold.
+struct Whole {
+  std::int64_t last_tick = 0;
+  Position end_mm{};
+  test::PlannedPath path;
+};
+
 // A kernel that has come to a tick, and what has judged it until then. A process that forks holds a
 // copy of both.
 class Run {
  public:
-  Run(const ControlProgram& program, ProfileKind profile)
-      : kernel_(default_machine(),
-                {.profile = {.kind = profile}, .one_thread = true, .start_mm = program.start_mm}),
+  explicit Run(const Held& of)
+      : kernel_(default_machine(), options_of(of)),
         fastest_mm_s_(default_machine().limits.path.velocity_mm_s),
-        checker_(default_machine().limits, profile != ProfileKind::trapezoid) {
-    kernel_.feed(program.text);
+        checker_(default_machine().limits, of.profile != ProfileKind::trapezoid) {
+    kernel_.feed(of.program.text);
     kernel_.finish();
   }
 
@@ -55,14 +74,15 @@ class Run {
   [[nodiscard]] const Setpoint& setpoint() const { return setpoint_; }
 
   // Empty: all held.
-  std::string hold_and_resume(const std::vector<Setpoint>& whole) {
+  std::string hold_and_resume(const Whole& whole) {
+    const bool may_end_first = whole.last_tick - setpoint_.tick <= longest_stop_ticks();
     kernel_.hold();
     double off_mm = 0.0;
     int rests = 0;
     TickStatus status = TickStatus::running;
     while (status == TickStatus::running || status == TickStatus::held) {
       status = next();
-      off_mm = std::max(off_mm, test::off_path_mm(whole, setpoint_));
+      off_mm = std::max(off_mm, whole.path.off_mm(setpoint_));
       rests += status == TickStatus::held ? 1 : 0;
       if (status == TickStatus::held && rests == kRestTicks) {
         kernel_.resume();
@@ -77,9 +97,10 @@ class Run {
     if (off_mm > kOffPathAtMost_mm) {
       return std::to_string(off_mm) + " mm off the path";
     }
-    return status != TickStatus::finished                      ? "it did not finish"
-           : setpoint_.position_mm != whole.back().position_mm ? "it ends elsewhere"
-                                                               : "";
+    return status != TickStatus::finished          ? "it did not finish"
+           : setpoint_.position_mm != whole.end_mm ? "it ends elsewhere"
+           : rests < kRestTicks && !may_end_first  ? "it was not held"
+                                                   : "";
   }
 
  private:
@@ -131,20 +152,19 @@ class Children {
   std::int64_t failed_ = 0;
 };
 
-std::vector<Setpoint> ticks_of(const Held& of) {
-  std::vector<Setpoint> ticks;
-  Run run(of.program, of.profile);
-  for (TickStatus status = TickStatus::running; status == TickStatus::running;) {
-    status = run.next();
-    ticks.push_back(run.setpoint());
+Whole whole_of(const Held& of) {
+  Run run(of);
+  while (run.next() == TickStatus::running) {
   }
-  return ticks;
+  return {.last_tick = run.setpoint().tick,
+          .end_mm = run.setpoint().position_mm,
+          .path = test::PlannedPath(default_machine(), options_of(of), of.program.text)};
 }
 
-bool hold_at(const Places& places, const Held& of, const std::vector<Setpoint>& whole) {
+bool hold_at(const Places& places, const Held& of, const Whole& whole) {
   Children children;
-  Run held(of.program, of.profile);
-  for (std::int64_t tick = 0; tick < static_cast<std::int64_t>(whole.size()) - 1; ++tick) {
+  Run held(of);
+  for (std::int64_t tick = 0; tick < whole.last_tick; ++tick) {
     held.next();
     if (tick % places.step == places.remainder) {
       children.start(tick, [&] { return held.hold_and_resume(whole); });
@@ -160,7 +180,7 @@ bool hold_at(const Places& places, const Held& of, const std::vector<Setpoint>& 
 }
 
 bool hold_everywhere(const Held& of, const HoldsOrder& order) {
-  const std::vector<Setpoint> whole = ticks_of(of);
+  const Whole whole = whole_of(of);
   if (of.program.name == "butterfly") {
     return hold_at({}, of, whole);
   }

@@ -153,11 +153,17 @@ TEST(ExecutionFaults, Row54AHoldComesToRestOnThePathWhateverTheToolIsIn) {
                                               {last - 1},
                                               {last}}) {
     SCOPED_TRACE(ticks.front());
-    expect_whole(run_held(text, ticks), whole);
+    const WatchedRun held = run_held(text, ticks);
+    expect_whole(held, whole);
+    EXPECT_EQ(held.count(TickStatus::held) > 0, ticks.front() < last - 1);
   }
 }
 
 TEST(ExecutionFaults, Row54AHoldWhereTheTextIsLateLastsUntilItIsResumed) {
+  constexpr std::size_t kPeriod = 1300;
+  constexpr std::size_t kHeldBefore = 390;  // it starves by then
+  constexpr std::size_t kResumedBefore = 1000;
+  constexpr std::size_t kRests = 150;  // after that it does
   const auto whole = test::ticks_of(mixed_program());
   const auto lines = lines_of(mixed_program());
   std::size_t fed = 0;
@@ -169,15 +175,21 @@ TEST(ExecutionFaults, Row54AHoldWhereTheTextIsLateLastsUntilItIsResumed) {
             k.finish();
           }
         }
-        if (so_far.next() % 1300 == 390) {  // it starves by then
+        const auto at = static_cast<std::size_t>(so_far.next()) % kPeriod;
+        if (at == kHeldBefore) {
           k.hold();
         }
-        if (so_far.next() % 1300 == 1000) {
+        if (at == kResumedBefore) {
           k.resume();
         }
       });
   EXPECT_EQ(held.complaint, "");
   EXPECT_EQ(held.ticks.back().position_mm, whole.back().position_mm);
+  for (std::size_t i = 0; i + kRests < held.statuses.size(); ++i) {
+    if (i % kPeriod >= kHeldBefore + kRests && i % kPeriod < kResumedBefore) {
+      ASSERT_EQ(held.statuses[i], TickStatus::held) << i;
+    }
+  }
 }
 
 // Both sides of a controller in one thread.
@@ -277,6 +289,7 @@ TEST(ExecutionFaults, Row60TheMachineMaySlowDownTheMotion) {
         }
       });
   EXPECT_EQ(slowed.complaint, "");
+  EXPECT_GT(slow_at_mm, asked_at_mm);
   EXPECT_LE(slow_at_mm - asked_at_mm, 1.1 * kWay_mm);
 }
 

@@ -8,7 +8,7 @@
 
 #include <kerf/kernel.hpp>
 
-#include "tests/kernel/off_path.hpp"
+#include "tests/kernel/planned_path.hpp"
 #include "tests/kernel/random_program.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
@@ -19,6 +19,7 @@ namespace {
 using interp::Setpoint;
 
 constexpr std::int64_t kMaxTicks = 200'000;
+constexpr std::int64_t kLatest = 700;  // ticks without planning
 
 enum class Order : std::uint8_t { hold, late, override, single_block, stop, emergency_stop };
 
@@ -42,7 +43,7 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
         Order::override, Order::override, Order::single_block}[static_cast<std::size_t>(below(6))];
     timed.overrides = {.feed = 0.02 * static_cast<double>(below(101)),
                        .rapid = 0.05 * static_cast<double>(1 + below(20))};
-    timed.ticks = static_cast<int>(timed.order == Order::late ? below(700) : 1 + below(60));
+    timed.ticks = static_cast<int>(timed.order == Order::late ? below(kLatest) : 1 + below(60));
     timed.after_rest = below(3) != 0;
   }
   std::ranges::sort(orders, {}, &Timed::tick);
@@ -88,6 +89,7 @@ class Operator {
       const Timed& timed = (*next_)[at_];
       if (timed.order == Order::hold && resume_in_ < 0 && !stopped_) {
         kernel_->hold();
+        held_at_ = tick;
         resume_in_ = timed.ticks;
         after_rest_ = timed.after_rest;
       } else if (timed.order == Order::late) {
@@ -124,13 +126,19 @@ class Operator {
   }
   [[nodiscard]] bool stopped() const { return stopped_; }
   [[nodiscard]] bool emergency() const { return emergency_; }
+  // For a hold that ought to have brought the tool to rest by that tick.
+  [[nodiscard]] bool waits_for_rest(std::int64_t tick) const {
+    return resume_in_ > 0 && after_rest_ && !stopped_ && tick - held_at_ > kLatestRest;
+  }
 
  private:
   static constexpr int kWaitTicks = 4;
+  static constexpr std::int64_t kLatestRest = kLatest + kLongestStop_ticks;
 
   Kernel* kernel_;
   const std::vector<Timed>* next_;
   std::size_t at_ = 0;
+  std::int64_t held_at_ = 0;
   int resume_in_ = -1;  // none waits
   bool after_rest_ = true;
   std::int64_t late_until_ = 0;
@@ -173,6 +181,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
   KernelOptions options{.profile = {.kind = kKinds[random() % kKinds.size()]}};
   options.start_mm = program.start_mm;
   const std::vector<Setpoint> whole = whole_run(program.text, options);
+  const PlannedPath path(mill(), options, program.text);
   const std::vector<Timed> orders = commands == Commands::all
                                         ? random_orders(random, whole.back().tick)
                                         : override_steps(random, whole.back().tick);
@@ -204,7 +213,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
     if (!by.emergency()) {
       checker.add({.setpoint = setpoint, .feedrate_mm_s = 150.0});
     }
-    off_mm = std::max(off_mm, off_path_mm(whole, setpoint));
+    off_mm = std::max(off_mm, path.off_mm(setpoint));
     starves_in_motion |= status == TickStatus::starved && setpoint.v_mm_s != 0.0;
     for (const double x : setpoint.position_mm) {
       run.fingerprint = run.fingerprint * 1'099'511'628'211U + std::bit_cast<std::uint64_t>(x);
@@ -221,6 +230,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
   complain(starves_in_motion, "starves in motion");
   complain(off_mm > 1e-9, std::to_string(off_mm) + " mm off the path");
   complain(!is_over(status), "does not end");
+  complain(by.waits_for_rest(run.ticks), "was not held");
   complain(setpoint.v_mm_s != 0.0, "ends in motion");
   complain(!by.stopped() && setpoint.position_mm != whole.back().position_mm,
            "ends somewhere else");

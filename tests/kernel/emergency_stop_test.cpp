@@ -87,7 +87,7 @@ TEST(EmergencyStop, KeepsAccelerationsAndThePathWhenever) {
       ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
       EXPECT_LE(largest_share(stopped.ticks), kRounding);
       for (std::size_t i = 1; i < stopped.ticks.size(); ++i) {
-        ASSERT_LE(off_path_mm(whole, stopped.ticks[i]), 1e-9);
+        ASSERT_LE(whole.off_path_mm(stopped.ticks[i]), 1e-9);
         ASSERT_TRUE(i < 3 || stopped.ticks[i].v_mm_s <= stopped.ticks[i - 1].v_mm_s);
       }
     }

@@ -32,14 +32,22 @@ WatchedRun run_held(const WatchedProgram& program, const std::set<std::int64_t>&
   });
 }
 
+// A hold before that tick may find the program at its end.
+bool ends_first(std::int64_t tick, const WholeRun& whole) {
+  return whole.back().tick - tick <= kLongestStop_ticks;
+}
+
 TEST(Hold, ComesToRestOnThePathAndGoesOnToTheSameEndWhereverItIsAskedFor) {
   for (const ProfileKind kind : {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::quintic,
                                  ProfileKind::time_optimal}) {
     const WatchedProgram program{.text = mixed_program(), .options = {.profile = {.kind = kind}}};
     const auto whole = ticks_of(program.text, program.options);
     for (std::int64_t tick = 1; tick < whole.back().tick; tick += 41) {
-      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
-      expect_whole(run_held(program, {tick}), whole);
+      SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick) + " of " +
+                   std::to_string(whole.back().tick));
+      const WatchedRun run = run_held(program, {tick});
+      expect_whole(run, whole);
+      EXPECT_TRUE(run.count(TickStatus::held) == kHeldTicks || ends_first(tick, whole));
       ASSERT_FALSE(testing::Test::HasFailure());
     }
   }
@@ -50,7 +58,9 @@ TEST(Hold, MayComeWhileTheToolBrakesAndAgainBehindIt) {
   const auto whole = ticks_of(program.text, program.options);
   for (std::int64_t tick = 1; tick + 400 < whole.back().tick; tick += 203) {
     SCOPED_TRACE("tick " + std::to_string(tick));
-    expect_whole(run_held(program, {tick, tick + 15, tick + 30, tick + 160, tick + 300}), whole);
+    const WatchedRun run = run_held(program, {tick, tick + 15, tick + 30, tick + 160, tick + 300});
+    expect_whole(run, whole);
+    EXPECT_GE(run.count(TickStatus::held), 2 * kHeldTicks);
     ASSERT_FALSE(testing::Test::HasFailure());
   }
 }
@@ -161,6 +171,7 @@ TEST(Hold, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {
   };
   Kernel free = fresh();
   const std::vector<Setpoint> whole = rest_of(free);
+  const PlannedPath path(default_machine(), options, text);
   for (const std::size_t hold : {465U, 476U, 487U, 1609U, 2610U, 3072U, 3523U, 4073U}) {
     SCOPED_TRACE(hold);
     Kernel kernel = fresh();
@@ -183,7 +194,7 @@ TEST(Hold, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {
     EXPECT_EQ(checker.complaint(), "");
     ASSERT_TRUE(other);
     EXPECT_LE(*other, 20);
-    EXPECT_LE(off_path_mm(whole, setpoint), 1e-9);
+    EXPECT_LE(path.off_mm(setpoint), 1e-9);
   }
 }
 
@@ -222,6 +233,7 @@ TEST(Hold, LeavesOutputsAtTheirPlaces) {
     SCOPED_TRACE("tick " + std::to_string(tick));
     const WatchedRun run = run_held(program, {tick});
     EXPECT_EQ(run.complaint, "");
+    EXPECT_TRUE(run.count(TickStatus::held) == kHeldTicks || ends_first(tick, whole));
     EXPECT_EQ(switched(run.ticks), switched(whole));
   }
 }
@@ -284,6 +296,7 @@ TEST(Hold, GoesOnToTheSameEndWherePlanningHasAThreadOfItsOwn) {
       }
     }
     EXPECT_EQ(status, TickStatus::finished);
+    EXPECT_TRUE(held == kHeldTicks || ends_first(tick, whole));
     EXPECT_EQ(checker.complaint(), "");
     EXPECT_EQ(setpoint.position_mm, whole.back().position_mm);
     ASSERT_FALSE(testing::Test::HasFailure());

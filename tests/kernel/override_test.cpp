@@ -297,7 +297,7 @@ TEST(Override, MayComeWhileTheToolBrakesForAHoldThatIsTakenBack) {
       }
       status = kernel.next(setpoint);
       checker.add({.setpoint = setpoint, .feedrate_mm_s = kFastest_mm_s});
-      ASSERT_LE(off_path_mm(whole, setpoint), 1e-9);
+      ASSERT_LE(whole.off_path_mm(setpoint), 1e-9);
     }
     ASSERT_EQ(checker.complaint(), "");
     ASSERT_EQ(setpoint.position_mm, whole.back().position_mm);

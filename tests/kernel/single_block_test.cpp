@@ -94,13 +94,18 @@ TEST(SingleBlock, MayBeSwitchedOnInMotionAndOffAgain) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
     const auto whole = ticks_of(mixed_program(), options);
+    int runs = 0;
+    int with_waits = 0;
     for (std::int64_t tick = 1; tick < whole.back().tick; tick += 97) {
       SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
+      ++runs;
       const SteppedRun run =
           run_stepped(mixed_program(), options, {.on_before = tick, .off_before = tick + 900});
       expect_whole(run.run, whole);
+      with_waits += run.waits.empty() ? 0 : 1;
       ASSERT_FALSE(testing::Test::HasFailure());
     }
+    EXPECT_GT(with_waits, runs / 2);
   }
 }
 

@@ -89,7 +89,7 @@ TEST(SlowHold, BeginsSoonAndKeepsThePathAndTheLimits) {
   Kernel kernel(default_machine());
   kernel.feed(text);
   kernel.finish();
-  const std::vector<Setpoint> whole = rest_of(kernel);
+  const WholeRun whole(rest_of(kernel), text, {}, default_machine());
   int longer = 0;
   for (std::int64_t tick = 250; tick + 250 < whole.back().tick; tick += kBetween) {
     SCOPED_TRACE(tick);

@@ -52,20 +52,14 @@ TEST(Stop, KeepsEveryLimitAndEndsAtRestOnThePathWhenever) {
         const Stopped stopped = stop_at(tick, kind, window);
         EXPECT_EQ(stopped.complaint, "");
         EXPECT_EQ(stopped.last.v_mm_s, 0.0);
-        // On the path: between the two ticks of the whole run around its path length.
-        const auto after = std::lower_bound(whole.begin(), whole.end(), stopped.last.s_mm,
-                                            [](const Setpoint& a, double s) { return a.s_mm < s; });
-        ASSERT_NE(after, whole.end());
-        const Eigen::Vector3d offset =
-            curves::vec(after->position_mm) - curves::vec(stopped.last.position_mm);
-        EXPECT_LE(offset.norm(), after->s_mm - stopped.last.s_mm + 1e-9);
+        EXPECT_LE(whole.off_path_mm(stopped.last), 1e-9);
+        EXPECT_LE(stopped.ticks_after, kLongestStop_ticks);
         ASSERT_FALSE(testing::Test::HasFailure());
       }
     }
   }
 }
 
-// The margin of 10 ms, v/A + A/J = 90 ms, and a tenth for the search over several blocks.
 // An operator's next command may come while the tool still brakes, or rests and the program has not
 // ended. Without a hold, with one just before the stop, in its braking and in its rest.
 TEST(Stop, IsTheSameWhateverIsAskedForBehindIt) {
@@ -104,6 +98,7 @@ TEST(Stop, IsTheSameWhateverIsAskedForBehindIt) {
   }
 }
 
+// The margin of 10 ms, v/A + A/J = 90 ms, and a tenth for the search over several blocks.
 TEST(Stop, TakesLittleLongerThanTheShortestRamp) {
   Kernel kernel(mill());
   std::string text = "G21 G90 F6000\n";
