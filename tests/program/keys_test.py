@@ -3,6 +3,8 @@
 import csv
 import os
 import pty
+import re
+import select
 import signal
 import subprocess
 import termios
@@ -14,8 +16,8 @@ LINE = "G21 G90\nG1 X400 F6000\nM2\n"  # 4 s at 100 mm/s
 
 
 class Keys(Case):
-    def start(self, program=LINE):
-        """`kerf run` on a terminal of its own, once it moves."""
+    def start(self, program=LINE, *options, sees=False):
+        """`kerf run` on a terminal of its own, once it moves. sees: that shows standard error, too."""
         terminal, end = pty.openpty()
         self.addCleanup(os.close, terminal)
         self.before = termios.tcgetattr(end)
@@ -23,7 +25,8 @@ class Keys(Case):
         self.addCleanup(os.close, end)
         self.trace = self.path("run.csv")
         part = self.path("part.ngc", program)
-        process = subprocess.Popen([KERF, "run", part, "--trace", self.trace], stdin=end, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+        process = subprocess.Popen([KERF, "run", part, "--trace", self.trace, *options], stdin=end, stdout=subprocess.PIPE,
+                                   stderr=end if sees else subprocess.PIPE, env={**os.environ, "TERM": "xterm"},
                                    start_new_session=True, preexec_fn=lambda: os.close(os.open(os.ttyname(0), os.O_RDWR)))
         self.addCleanup(process.kill)
         deadline = time.monotonic() + 60
@@ -36,8 +39,18 @@ class Keys(Case):
     def press(self, key):
         os.write(self.terminal, key)
 
+    def seen(self, wanted):
+        """What the terminal shows until it shows that."""
+        shown = b""
+        deadline = time.monotonic() + 20
+        while not re.search(wanted, shown):
+            self.assertLess(time.monotonic(), deadline, shown[-1000:])
+            if select.select([self.terminal], [], [], 1)[0]:
+                shown += os.read(self.terminal, 4096)
+        return shown
+
     def finish(self, process, status):
-        process.communicate(timeout=60)
+        _, self.said = process.communicate(timeout=60)
         self.assertEqual(process.returncode, status)
         self.assertEqual(termios.tcgetattr(self.end)[3], self.before[3], "the terminal is as it was")
         with open(self.trace, encoding="utf-8") as file:
@@ -122,6 +135,52 @@ class Keys(Case):
         self.assertIsNone(process.poll())
         self.press(b"\n")
         self.assertEqual(self.finish(process, 0)[-1], 20.0)
+
+    def test_what_waits_for_a_person_is_written_once(self):
+        waits = ((b"M0", b"an operator (program stop, M0)"), (b"M1", b"an operator (optional stop, M1)"),
+                 (b"M60", b"the pallet change (M60)"), (b"T3 M6", b"tool 3 (M6)"))
+        program = "".join(f"G21 G90\n{code.decode()}\n" for code, _ in waits) + "G1 X20 F6000\nM2\n"
+        for options in ((), ("-q",)):
+            with self.subTest(options=options):
+                process = self.start(program, "--optional-stop", *options)
+                for _ in waits:
+                    time.sleep(0.3)
+                    self.press(b"\n")
+                self.assertEqual(self.finish(process, 0)[-1], 20.0)
+                self.assertEqual([line for line in self.said.splitlines() if b"waiting" in line],
+                                 [b"waiting at line %d for %s: Enter goes on" % (2 * i + 2, what) for i, (_, what) in enumerate(waits)])
+
+    def test_the_rests_of_single_block_are_written_where_no_status_line_says_it(self):
+        process = self.start("G21 G90 G61\nG1 X100 F6000\nX102\nM2\n")
+        self.press(b"s")
+        for _ in range(2):
+            time.sleep(1.5)
+            self.press(b"\n")
+        self.finish(process, 0)
+        self.assertIn(b"waiting at line 2 behind a block (single block): Enter goes on\n", self.said)
+
+    def test_a_program_that_waits_for_its_start_says_so(self):
+        process = self.start(LINE, "--wait-start", "-q")
+        self.press(b"q")
+        process.communicate(timeout=60)
+        process = self.start("G21 G90\nG1 X10 F6000\nM2\n", "--wait-start", "-q")
+        self.press(b"\n")
+        self.assertEqual(self.finish(process, 0)[-1], 10.0)
+        self.assertEqual(self.said, b"waiting for the start: Enter starts the program\n")
+
+    def test_the_status_line_says_what_it_waits_for(self):
+        process = self.start("G21 G90\nG1 X50 F6000\nT3 M6\nX20\nM2\n", sees=True)
+        shown = self.seen(rb"waiting   line 3      for tool 3 \(M6\): Enter goes on +100 %")
+        self.assertEqual(shown.count(b"waiting at line 3 for tool 3 (M6): Enter goes on\r\n"), 1)
+        self.press(b"\n")
+        self.finish(process, 0)
+
+    def test_the_status_line_says_that_the_feed_is_0(self):
+        process = self.start("G21 G90\nG1 X200 F6000\nM2\n", sees=True)
+        self.press(b"-" * 10)
+        self.seen(rb"running   line 2      stands: the feed is at 0 % +0 %")
+        self.press(b"q")
+        self.finish(process, 7)
 
     def test_a_second_interrupt_is_the_emergency_stop(self):
         process = self.start()

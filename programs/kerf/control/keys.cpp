@@ -5,10 +5,6 @@
 #include <cmath>
 #include <string_view>
 
-#include <spdlog/fmt/fmt.h>
-
-#include "programs/kerf/io/number_text.hpp"
-
 namespace kerf::program {
 
 namespace {
@@ -90,14 +86,6 @@ void Keys::change_feed(int percent) {
   Overrides overrides = by_->status().overrides;
   overrides.feed = 0.01 * std::clamp(percent, 0, kMaxFeed_percent);
   static_cast<void>(by_->give(overrides));
-}
-
-std::string status_line(const ControllerStatus& status) {
-  constexpr double kPerMinute = 60.0;
-  return fmt::format("{:9} line {:<6} F{:<6.0f} {:3} %{}{}", name_of(status.state),
-                     status.setpoint.line, kPerMinute * status.setpoint.v_mm_s,
-                     feed_percent(status), status.single_block ? " single block" : "",
-                     status.left_s ? " left " + clock_time(*status.left_s) : "");
 }
 
 }  // namespace kerf::program

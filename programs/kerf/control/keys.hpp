@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <string>
 #include <thread>
 
 #include "programs/kerf/control/operator.hpp"
@@ -39,8 +38,5 @@ class Keys {
   std::atomic<bool> over_ = false;
   std::thread thread_;
 };
-
-// The state, the line, the feedrate, the feed override and single block.
-[[nodiscard]] std::string status_line(const ControllerStatus& status);
 
 }  // namespace kerf::program

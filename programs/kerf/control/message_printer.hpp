@@ -1,4 +1,4 @@
-// The messages of a program, on standard error while it runs.
+// The messages of a program, and what it waits for a person for, on standard error while it runs.
 #pragma once
 
 #include <atomic>
@@ -10,20 +10,28 @@
 
 namespace kerf::program {
 
-// "part.ngc:12: message: put in tool 2". In a thread of its own: a terminal that is stopped stops
+// "part.ngc:12: message: put in tool 2", "waiting at line 13 for tool 2 (M6): Enter goes on". In a
+// thread of its own: a terminal that is stopped stops
 // nothing else. The destructor writes what is left.
 class MessagePrinter {
  public:
-  MessagePrinter(const Controller& controller, std::string file);
+  // How waits are written, once each: all; but those behind each block of single block, where a
+  // status line shows them; or none, for nobody is there to answer.
+  enum class Waits : unsigned char { none, all_but_block_ends, all };
+
+  MessagePrinter(const Controller& controller, std::string file, Waits waits);
   ~MessagePrinter();
   MessagePrinter(const MessagePrinter&) = delete;
   MessagePrinter& operator=(const MessagePrinter&) = delete;
 
  private:
   void print_new();
+  void print(const ProgramMessage& message) const;
+  void print_wait() const;
 
   const Controller* controller_;
   std::string file_;
+  Waits waits_;
   std::string before_;  // clears the line of the progress bar
   std::uint64_t next_event_ = 1;
   std::atomic<bool> over_ = false;

@@ -10,6 +10,7 @@
 #include "programs/kerf/control/channel.hpp"
 #include "programs/kerf/control/keys.hpp"
 #include "programs/kerf/control/message_printer.hpp"
+#include "programs/kerf/control/status_line.hpp"
 #include "programs/kerf/run/journal_thread.hpp"
 #include "programs/kerf/run/real_time_loop.hpp"
 
@@ -90,6 +91,13 @@ std::string kept_of(const std::optional<PlanPace>& pace, const RunOutcome& outco
   return is_kept ? record.bytes() : std::string();
 }
 
+MessagePrinter::Waits written_waits(const MotionOrder& order) {
+  using Waits = MessagePrinter::Waits;
+  return !order.has_keys        ? Waits::none
+         : order.shows_progress ? Waits::all_but_block_ends
+                                : Waits::all;
+}
+
 // With all who look at it, and the keys.
 RunOutcome run_watched(MotionStage& stage, Controller& controller, Operator& by, Feeder& feeder,
                        PlanPace* pace) {
@@ -99,13 +107,16 @@ RunOutcome run_watched(MotionStage& stage, Controller& controller, Operator& by,
   if (order.journal != nullptr) {
     journal.emplace(by, *order.journal);
   }
-  const MessagePrinter messages(controller, report.file);
+  const MessagePrinter messages(controller, report.file, written_waits(order));
   std::optional<Keys> keys;
   if (order.has_keys) {
     keys.emplace(by);
   }
   if (order.has_keys && order.shows_progress) {
     fmt::print(stderr, "{}\n", Keys::kWhatTheyDo);
+  }
+  if (order.has_keys && waits_for_start(order)) {
+    fmt::print(stderr, "waiting for the start: Enter starts the program\n");
   }
   const auto bar = stage.progress_bar([&controller] { return status_line(controller.status()); },
                                       ProgressBar::Left::not_said);  // the status says it
