@@ -16,7 +16,7 @@ enum class ExitStatus : int {
   stopped = 7,         // by the person at the terminal, on the path
   emergency_stop = 8,  // the same, at once
   hung_up = 129,       // SIGHUP, SIGINT, SIGTERM: 128 + signal number, after a stop on the path
-  interrupted = 130,
+  interrupted = 130,   // SIGQUIT, too
   terminated = 143,
 };
 

@@ -190,6 +190,19 @@ class Keys(Case):
         x = self.finish(process, 8)
         self.assertLess(x[-1], 400.0)
 
+    def test_the_quit_key_stops_as_an_interrupt_does(self):
+        process = self.start()
+        self.press(b"\x1c")
+        x = self.finish(process, 130)
+        self.assertLess(x[-1], 400.0)
+
+    def test_the_quit_key_pressed_again_is_the_emergency_stop(self):
+        process = self.start()
+        self.press(b"\x1c")
+        time.sleep(0.03)
+        self.press(b"\x1c")
+        self.finish(process, 8)
+
 
 if __name__ == "__main__":
     main(at_once=2)

@@ -107,6 +107,18 @@ class Signals(Case):
     def test_hung_up_run_is_129(self):
         self.stopped_run(signal.SIGHUP, 129)
 
+    def test_quit_run_is_130(self):
+        self.stopped_run(signal.SIGQUIT, 130)
+
+    def test_a_run_under_nohup_goes_on_when_its_terminal_hangs_up(self):
+        process = subprocess.Popen([KERF, "run", self.path("slow.ngc", "G21 G90\nG1 X30 F1200\nM2\n")], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        self.addCleanup(process.kill)
+        time.sleep(0.7)
+        process.send_signal(signal.SIGHUP)
+        out, err = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 0, err)
+
     def interrupted_at_once(self, *signals):
         """The exit status and the summary."""
         process = self.start("run", self.path("long.ngc", LONG), "--trace", self.path("trace.csv"))
