@@ -76,18 +76,7 @@ class Run {
   // Empty: all held.
   std::string hold_and_resume(const Whole& whole) {
     const bool may_end_first = whole.last_tick - setpoint_.tick <= longest_stop_ticks();
-    kernel_.hold();
-    double off_mm = 0.0;
-    int rests = 0;
-    TickStatus status = TickStatus::running;
-    while (status == TickStatus::running || status == TickStatus::held) {
-      status = next();
-      off_mm = std::max(off_mm, whole.path.off_mm(setpoint_));
-      rests += status == TickStatus::held ? 1 : 0;
-      if (status == TickStatus::held && rests == kRestTicks) {
-        kernel_.resume();
-      }
-    }
+    const auto [status, rests, off_mm] = run_held(whole);
     if (const auto fault = kernel_.fault()) {
       return fault->what;
     }
@@ -104,6 +93,25 @@ class Run {
   }
 
  private:
+  struct HeldRun {
+    TickStatus status = TickStatus::running;
+    int rests = 0;
+    double off_mm = 0.0;
+  };
+  HeldRun run_held(const Whole& whole) {
+    HeldRun run;
+    kernel_.hold();
+    while (run.status == TickStatus::running || run.status == TickStatus::held) {
+      run.status = next();
+      run.off_mm = std::max(run.off_mm, whole.path.off_mm(setpoint_));
+      run.rests += run.status == TickStatus::held ? 1 : 0;
+      if (run.status == TickStatus::held && run.rests == kRestTicks) {
+        kernel_.resume();
+      }
+    }
+    return run;
+  }
+
   Kernel kernel_;
   double fastest_mm_s_;
   test::TickChecker checker_;

@@ -70,7 +70,12 @@ std::vector<BlockPassing> classical_passings(const FirstBlocks& first,
 
 // The classical schedule comes to rest where the search's plan goes on. It leads where at the last
 // place that it passes no more slowly, in the second half, it is there earlier.
-bool leads(const std::vector<BlockPassing>& classical, const std::vector<BlockPassing>& searched) {
+struct Passings {
+  const std::vector<BlockPassing>& classical;
+  const std::vector<BlockPassing>& searched;
+};
+bool classical_leads(const Passings& passings) {
+  const auto& [classical, searched] = passings;
   for (std::size_t i = classical.size(); 2 * i > classical.size(); --i) {
     const BlockPassing& passing = classical[i - 1];
     if (passing.v_mm_s >= searched[i - 1].v_mm_s) {
@@ -95,7 +100,7 @@ std::optional<profiles::ProfileKind> fastest_profile(const FirstBlocks& first,
   for (const profiles::ProfileKind profile : asked.profiles) {
     const std::vector<BlockPassing> passings = classical_passings(first, settings, profile);
     const double duration_s = passings.back().t_s;
-    if (duration_s < least_s || (asked.to_lead && leads(passings, searched))) {
+    if (duration_s < least_s || (asked.to_lead && classical_leads({passings, searched}))) {
       least_s = duration_s;
       fastest = profile;
     }
