@@ -65,11 +65,12 @@ void Kernel::Impl::follow_tool() {
       notes_.announce(pipeline_.rest_block_at(interpolator_.plan_tick() + announced_ticks_));
     }
   }
-  notes_.follow(
-      {.path_mm = interpolator_.reached_path_mm(),
-       .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
-       .overrides = {
-           .feed = feed_share(), .rapid = overrides_.rapid, .spindle = overrides_.spindle}});
+  notes_.follow({.path_mm = interpolator_.reached_path_mm(),
+                 .moved_s = static_cast<double>(interpolator_.plan_tick()) * period_s_,
+                 .overrides = {.feed = feed_share(),
+                               .rapid = overrides_.rapid,
+                               .spindle = overrides_.spindle},
+                 .feed_is_0 = overrides_.feed == 0.0});
 }
 
 // Where the tool rests and nothing was planned yet, a message would come behind the wait that is

@@ -23,6 +23,10 @@ NominalTime sum_of(const NominalTime& first, const NominalTime& second, double s
           .spindle_alone_s = first.spindle_alone_s + share * second.spindle_alone_s};
 }
 
+double held_by_feed_s(const NominalTime& nominal) {
+  return nominal.motion_s - nominal.steady_s - nominal.spindle_alone_s;
+}
+
 double motion_at_s(const NominalTime& nominal, const Overrides& overrides) {
   const double fed_s = nominal.motion_s - nominal.rapid_s - nominal.steady_s - nominal.spindle_s -
                        nominal.spindle_alone_s;

@@ -14,6 +14,9 @@ void add_motion(NominalTime& nominal, double duration_s, bool rapid,
 // first + share * second, of all parts.
 NominalTime sum_of(const NominalTime& first, const NominalTime& second, double share = 1.0);
 
+// Of its motion, what a feed override of 0 holds.
+double held_by_feed_s(const NominalTime& nominal);
+
 // Of its motion. Precondition: no override is 0.
 double motion_at_s(const NominalTime& nominal, const Overrides& overrides);
 

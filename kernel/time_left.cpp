@@ -12,6 +12,7 @@ namespace {
 
 // Before so much was run, the machine is taken to keep the feedrate.
 constexpr double kJudgedFrom_s = 1.0;
+constexpr double kRounding_s = 1e-6;
 
 }  // namespace
 
@@ -100,6 +101,9 @@ std::optional<double> TimeLeft::left_s() const {
   }
   // By blends it may be less than was expected.
   const NominalTime left = sum_of(sum_of(not_pushed_, pushed_.nominal), done_nominal_, -1.0);
+  if (tool_.feed_is_0 && held_by_feed_s(left) > kRounding_s) {
+    return std::nullopt;
+  }
   const bool is_judged = in_motion_s_ > kJudgedFrom_s && expected_s_ > 0.0;
   const double pace = is_judged ? in_motion_s_ / expected_s_ : 1.0;
   const double pushed_rest_s = rest_to_run_s_ + pushed_.nominal.rest_s - behind_.nominal.rest_s;

@@ -34,8 +34,9 @@ class TimeLeft {
 
   struct ToolPlace {
     double path_mm = 0.0;
-    double moved_s = 0.0;   // without holds and waits
-    Overrides overrides{};  // in force: the feed may be 0
+    double moved_s = 0.0;    // without holds and waits
+    Overrides overrides{};   // in force: the feed may be 0
+    bool feed_is_0 = false;  // the operator's, in force here or not
   };
   void follow(const ToolPlace& tool);
   // Nothing: nobody knows, or at a feed of 0 never.

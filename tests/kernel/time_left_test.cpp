@@ -131,6 +131,28 @@ TEST(TimeLeft, DividesOnlyWhatAnOverrideSlows) {
 
 // Found by reading: a way that an axis A takes was divided by the feedrate of X, Y and Z. Of a
 // fifth of it 482 s were said to be left of 31.
+// M49 keeps the feed to X10; behind M48 a feed of 0 holds.
+TEST(TimeLeft, IsUnknownWhereAFeedOfZeroHoldsLater) {
+  const NominalTime nominal{.motion_s = 6.0, .steady_s = 1.0};
+  Kernel kernel(mill(), {.tells_operator = true, .nominal = nominal});
+  kernel.feed("G21 G90 G61\nM49\nG1 X10 F600\nM48\nX60\nM2\n");
+  kernel.finish();
+  Setpoint setpoint;
+  const auto left_s = [&](int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      kernel.plan();
+      kernel.tick(setpoint);
+    }
+    return kernel.left_s();
+  };
+  EXPECT_NEAR(left_s(100).value_or(0.0), 5.9, 0.1);
+  kernel.set_overrides({.feed = 0.0});
+  EXPECT_FALSE(left_s(100));
+  EXPECT_GT(setpoint.v_mm_s, 9.9);
+  kernel.set_overrides({});
+  EXPECT_NEAR(left_s(100).value_or(0.0), 5.7, 0.1);
+}
+
 TEST(TimeLeft, IsRightWhereAnAxisThatTurnsIsTheSlowest) {
   MachineSettings machine = default_machine();
   machine.program.extra_axes = letter_bit('A');
