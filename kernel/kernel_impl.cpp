@@ -62,7 +62,11 @@ void Kernel::Impl::follow_tool() {
   } else {
     notes_.reach(interpolator_.reached_block());
     if (notes_.has_more_to_say()) {
-      notes_.announce(pipeline_.rest_block_at(interpolator_.plan_tick() + announced_ticks_));
+      const bool has_run_what_was_read =
+          rests_for_text_ && interpolator_.plan_tick() >= pipeline_.emitted_until_tick();
+      notes_.announce(has_run_what_was_read
+                          ? std::numeric_limits<std::uint64_t>::max()
+                          : pipeline_.rest_block_at(interpolator_.plan_tick() + announced_ticks_));
     }
   }
   notes_.follow({.path_mm = interpolator_.reached_path_mm(),
@@ -133,6 +137,7 @@ bool Kernel::Impl::fill_queue() {
         hand_on();
         break;
       case Pipeline::Step::took:
+        rests_for_text_ = false;
         if (pipeline_.is_finished() && !was_finished) {
           fail_with_check();
           end_ = pipeline_.path().programmed_end();
@@ -234,6 +239,7 @@ void Kernel::Impl::plan_to_rest() {
     if (plan()) {
       pipeline_.plan_to_rest();
       plan();
+      rests_for_text_ = true;
     }
   }
 }

@@ -268,6 +268,7 @@ class KERF_LOCAL Kernel::Impl {
   bool holds_ = false;        // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;        // each hold is a stop
   bool has_stopped_ = false;  // what is planned ends the program: no other stop comes
+  bool rests_for_text_ = false;  // the plan ends at rest behind all that was read
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   bool wants_change_ = false;

@@ -106,6 +106,32 @@ TEST(ProgramNotes, TellAMessageBehindTheLastBlockOfAProgramWithoutAnEnd) {
   EXPECT_EQ(run.messages[0].x_mm, 10.0);
 }
 
+TEST(ProgramNotes, TellAMessageWhereTheToolRestsBecauseTheTextIsLate) {
+  Kernel kernel(mill(), {.tells_operator = true});
+  kernel.feed("G21 G90 F6000\nG1 X10\n(MSG, one)\n");
+  Setpoint setpoint;
+  const auto messages_after = [&](int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      if (kernel.plan()) {
+        kernel.plan_to_rest();
+      }
+      kernel.tick(setpoint);
+    }
+    return kernel.take_messages();
+  };
+  EXPECT_TRUE(messages_after(50).empty());
+  const auto told = messages_after(500);
+  EXPECT_EQ(setpoint.position_mm[0], 10.0);
+  ASSERT_EQ(told.size(), 1);
+  EXPECT_EQ(told[0].text, "one");
+  kernel.feed("(MSG, two)\nX20\nM2\n");
+  kernel.finish();
+  const auto more = messages_after(500);
+  EXPECT_EQ(setpoint.position_mm[0], 20.0);
+  ASSERT_EQ(more.size(), 1);
+  EXPECT_EQ(more[0].text, "two");
+}
+
 TEST(ProgramNotes, HaveTheCodesOfTheBlockThatTheToolIsAt) {
   const NotedRun run = run_noted("G21 G90 G61 F6000\nG1 X10\nG2 X20 I5\nG1 X40 M8\nM2\n");
   const auto has = [](const std::string& codes, const std::string& code) {
