@@ -100,7 +100,7 @@ void expect_quiet_ticks(const std::string& program, const MachineSettings& setti
 TEST_F(TickPath, IsQuietUnderEveryLaw) {
   for (const ProfileKind kind :
        {ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::sine, ProfileKind::quintic,
-        ProfileKind::sine_series, ProfileKind::sigmoid}) {
+        ProfileKind::sine_series, ProfileKind::sigmoid, ProfileKind::time_optimal}) {
     SCOPED_TRACE(profiles::name_of(kind));
     expect_quiet_ticks(mixed_program(), mill(), Profile{kind});
   }
