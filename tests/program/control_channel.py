@@ -85,8 +85,9 @@ def client_of(case, connection):
 class ControlCase(Case):
     """Runs `kerf run --control`, and commands it."""
 
-    def run_kerf(self, control, program=LINE, fds=(), stdin=subprocess.DEVNULL, options=()):
-        process = subprocess.Popen([KERF, "run", self.path("part.ngc", program), "--control", control, "--trace", self.path("run.csv"), *options],
+    def run_kerf(self, control, program=LINE, fds=(), stdin=subprocess.DEVNULL, options=(), path=None):
+        """path: where the program is, in place of a file with it."""
+        process = subprocess.Popen([KERF, "run", path or self.path("part.ngc", program), "--control", control, "--trace", self.path("run.csv"), *options],
                                    stdin=stdin, stdout=subprocess.PIPE, stderr=subprocess.PIPE, pass_fds=fds)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)

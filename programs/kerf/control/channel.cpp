@@ -66,9 +66,13 @@ class ControlChannel::Server {
     });
     closed.get_future().wait();
   }
-  void finish(ExitStatus status) {
-    asio::post(context_, [this, status] {
+  void finish(ExitStatus status, const std::vector<ProgramMessage>& last_words) {
+    asio::post(context_, [this, status, last_words] {
       tell_events();
+      for (const ProgramMessage& message : last_words) {
+        tell_all(
+            event_json({.number = next_event_++, .kind = ControllerEvent::Kind::message}, message));
+      }
       tell_all(end_json(status));
       has_ended_ = true;
     });
@@ -229,8 +233,8 @@ void ControlChannel::close() {
   server_->close();
 }
 
-void ControlChannel::finish(ExitStatus status) {
-  server_->finish(status);
+void ControlChannel::finish(ExitStatus status, const std::vector<ProgramMessage>& last_words) {
+  server_->finish(status, last_words);
 }
 
 }  // namespace kerf::program

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "kernel/planned_fault.hpp"
 #include "parser/moves/auxiliary_axes.hpp"
@@ -36,9 +37,10 @@ class ControlChannel {
 
   // From now on commands are refused; those that came before wait for the thread that plans.
   void close();
-  // What happened until then and how the run ended is told to all that still read, within a second;
-  // nothing follows it. Precondition: close().
-  void finish(ExitStatus status);
+  // What happened until then, the last words as messages of Kerf itself, and how the run ended is
+  // told to all that still read, within a second; nothing follows it. Precondition: close(), and
+  // nothing happens any more.
+  void finish(ExitStatus status, const std::vector<ProgramMessage>& last_words);
 
  private:
   class Server;

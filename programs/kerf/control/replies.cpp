@@ -96,7 +96,7 @@ std::string event_json(const ControllerEvent& event, const std::optional<Program
     json["line"] = event.line;
   } else {
     json["event"] = message ? kKinds.at(static_cast<std::size_t>(message->kind)) : kKinds[0];
-    // 0: Kerf's own.
+    // 0: Kerf's own, about no line.
     json["line"] = message && message->line != 0 ? Json(message->line) : Json();
     json["text"] = message ? Json(message->text) : Json();
   }

@@ -12,6 +12,7 @@
 #include "programs/kerf/control/message_printer.hpp"
 #include "programs/kerf/control/status_line.hpp"
 #include "programs/kerf/run/journal_thread.hpp"
+#include "programs/kerf/run/last_words.hpp"
 #include "programs/kerf/run/real_time_loop.hpp"
 
 namespace kerf::program {
@@ -159,18 +160,19 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
   const RunOutcome outcome = run_watched(stage, controller, by, feeder, pace ? &*pace : nullptr);
   Kernel none(order.settings, options);
   const ControllerStatus last = controller.status();
-  stage.finish(
-      {.kernel = by.has_started() ? *controller.program() : none,
-       .feeder = feeder,
-       .outcome = outcome,
-       .is_stopped = by.has_stopped(),
-       .no_home = last.state == ControllerState::fault ? last_message(controller) : std::string(),
-       .is_unhomed = last.unhomed != 0,
-       .is_emergency = last.state == ControllerState::emergency_stop});
+  const std::string no_home =
+      last.state == ControllerState::fault ? last_message(controller) : std::string();
+  stage.finish({.kernel = by.has_started() ? *controller.program() : none,
+                .feeder = feeder,
+                .outcome = outcome,
+                .is_stopped = by.has_stopped(),
+                .no_home = no_home,
+                .is_unhomed = last.unhomed != 0,
+                .is_emergency = last.state == ControllerState::emergency_stop});
   if (channel) {
     channel->close();
     by.carry_out();  // what came too late is refused
-    channel->finish(report.status);
+    channel->finish(report.status, last_words(report, no_home));
   }
   return kept_of(pace, outcome, by);
 }
