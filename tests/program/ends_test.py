@@ -3,6 +3,7 @@
 import pathlib
 import socket
 import subprocess
+import time
 
 from command_line import SOURCE, main
 from control_channel import ControlCase
@@ -65,6 +66,17 @@ class Ends(ControlCase):
         machine = self.path("home.toml", table.replace("[axes.x]\n", "[axes.x]\n" + home))
         process, client = self.start(options=["--machine", machine, "--home"])
         self.assertEqual(self.last_words(process, client, 4), [(None, "homing x: its switch did not close within 80 mm")])
+
+    def test_an_emergency_stop_behind_a_fault_stays(self):
+        process, client = self.start()
+        client.read_until(type="event", state="running")
+        time.sleep(1.0)  # it brakes for a while
+        client.ask("fault", **JUMP)
+        client.read_until(type="event", state="fault")
+        client.write('{"command":"emergency_stop"}\n')
+        self.last_words(process, client, 4)
+        states = [event["state"] for event in client.events if event["event"] == "state"]
+        self.assertEqual(states, ["idle", "running", "fault", "emergency_stop"])
 
 
 if __name__ == "__main__":

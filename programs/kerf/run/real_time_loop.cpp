@@ -202,7 +202,7 @@ class Ticks {
     if (stage_.ticks.fault().kind != machine::DriveFault::none) {
       if (stage_.ticks.stops_on_path()) {
         planning.stop();
-      } else {
+      } else if (!std::exchange(has_failed_, true)) {  // an emergency stop behind it stays
         controller.fail();
       }
     }
@@ -240,6 +240,7 @@ class Ticks {
   ControllerState state_ = ControllerState::off;  // at the latest tick
   Setpoint setpoint_{};                           // of that
   bool was_emergency_ = false;
+  bool has_failed_ = false;
   StarvationJudge judge_;
   Aftermath aftermath_;
   double max_delay_s_;
