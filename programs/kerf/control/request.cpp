@@ -3,6 +3,7 @@
 #include <string>
 
 #include "programs/kerf/control/request_keys.hpp"
+#include "programs/kerf/control/request_text.hpp"
 
 namespace kerf::program {
 
@@ -210,17 +211,16 @@ std::string key_of_name(std::string_view name) {
 }
 
 tl::expected<ControlRequest, BadRequest> control_request(std::string_view line) {
-  const auto json = RequestKeys::Json::parse(line, nullptr, false);
-  if (!json.is_object()) {
-    return tl::unexpected(BadRequest{.reason = "an object with a command is wanted"});
+  auto object = request_object(line);
+  if (!object) {
+    return tl::unexpected(BadRequest{.reason = object.error()});
   }
   ControlRequest request;
-  auto object = json;
-  if (const auto id = object.find("id"); id != object.end()) {
+  if (const auto id = object->find("id"); id != object->end()) {
     request.id = id->dump(-1, ' ', true, RequestKeys::Json::error_handler_t::replace);
-    object.erase("id");
+    object->erase("id");
   }
-  RequestKeys keys(object);
+  RequestKeys keys(*object);
   if (std::string reason = read_request(keys, request); !reason.empty()) {
     return tl::unexpected(BadRequest{.reason = std::move(reason), .id = request.id});
   }
