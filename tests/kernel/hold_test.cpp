@@ -10,6 +10,7 @@
 #include <kerf/kernel.hpp>
 
 #include "profiles/profile.hpp"
+#include "tests/kernel/random_program.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
@@ -137,6 +138,37 @@ TEST(Hold, ComesSoonWhereTheToolHasJustLeftARest) {
       EXPECT_LE(run.first_held().tick - tick, kLongestStop_ticks);
     }
   }
+}
+
+// Twice what a line takes with all of its limits: on curves an axis may have half of them left.
+TEST(Hold, ComesSoonOnRandomPrograms) {
+  constexpr std::int64_t kLatest_ticks = 2 * kLongestStop_ticks;
+  int holds = 0;
+  for (std::uint64_t seed = 500; seed < 560; ++seed) {
+    const RandomProgram program =
+        random_program(seed, {.blocks = 8, .longest_mm = seed % 3 == 0 ? 5.0 : 60.0});
+    for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
+      for (std::int64_t tick = static_cast<std::int64_t>(seed % 7); tick < 900; tick += 211) {
+        SCOPED_TRACE(std::string(name_of(kind)) + ", seed " + std::to_string(seed) + ", tick " +
+                     std::to_string(tick));
+        Kernel kernel(mill(), {.profile = {.kind = kind}, .start_mm = program.start_mm});
+        kernel.feed(program.text);
+        kernel.finish();
+        Setpoint setpoint;
+        TickStatus status = TickStatus::running;
+        std::int64_t ticks = 0;
+        for (; status == TickStatus::running && ticks <= tick + kLatest_ticks; ++ticks) {
+          if (ticks == tick) {
+            kernel.hold();
+          }
+          status = kernel.next(setpoint);
+        }
+        EXPECT_NE(status, TickStatus::running);
+        holds += status == TickStatus::held ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(holds, 300);
 }
 
 // 5,000 lines of 0.02 mm: the way to rest goes over 700 of them.
