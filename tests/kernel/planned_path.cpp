@@ -33,15 +33,24 @@ PlannedPath::PlannedPath(const MachineSettings& settings, const KernelOptions& o
   }
 }
 
-double PlannedPath::Stretch::off_mm(const interp::Setpoint& setpoint) const {
-  const double s_mm = std::clamp(setpoint.s_mm - curve_begin_mm, curves::s_begin_mm(piece),
-                                 curves::s_end_mm(piece));
-  return (vec(curves::position_at(piece, s_mm)) - vec(setpoint.position_mm)).norm();
+double PlannedPath::Stretch::on_piece_mm(double path_mm) const {
+  return std::clamp(path_mm - curve_begin_mm, curves::s_begin_mm(piece), curves::s_end_mm(piece));
+}
+
+const PlannedPath::Stretch& PlannedPath::stretch_at(double path_mm) const {
+  const auto after = std::ranges::upper_bound(stretches_, path_mm, {}, &Stretch::begin_mm);
+  return after == stretches_.begin() ? *after : *(after - 1);
 }
 
 double PlannedPath::off_mm(const interp::Setpoint& setpoint) const {
-  const auto after = std::ranges::upper_bound(stretches_, setpoint.s_mm, {}, &Stretch::begin_mm);
-  return after == stretches_.begin() ? after->off_mm(setpoint) : (after - 1)->off_mm(setpoint);
+  const Stretch& at = stretch_at(setpoint.s_mm);
+  const curves::Position place = curves::position_at(at.piece, at.on_piece_mm(setpoint.s_mm));
+  return (vec(place) - vec(setpoint.position_mm)).norm();
+}
+
+curves::PathDerivatives PlannedPath::derivatives_at(double path_mm) const {
+  const Stretch& at = stretch_at(path_mm);
+  return curves::derivatives_at(at.piece, at.on_piece_mm(path_mm));
 }
 
 }  // namespace kerf::test

@@ -19,6 +19,8 @@ class PlannedPath {
 
   // How far the setpoint is from the place that the path has at the setpoint's path length.
   [[nodiscard]] double off_mm(const interp::Setpoint& setpoint) const;
+  // By path length, at it; beyond the ends, theirs.
+  [[nodiscard]] curves::PathDerivatives derivatives_at(double path_mm) const;
 
  private:
   struct Stretch {
@@ -26,8 +28,10 @@ class PlannedPath {
     curves::Piece piece;
 
     [[nodiscard]] double begin_mm() const { return curve_begin_mm + curves::s_begin_mm(piece); }
-    [[nodiscard]] double off_mm(const interp::Setpoint& setpoint) const;
+    // Of a path length, on the piece.
+    [[nodiscard]] double on_piece_mm(double path_mm) const;
   };
+  [[nodiscard]] const Stretch& stretch_at(double path_mm) const;
 
   std::vector<Stretch> stretches_;
 };
