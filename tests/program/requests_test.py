@@ -40,6 +40,33 @@ class Requests(ControlCase):
         answer, = self.answers(['{"command":"hold","id":' + deep + "}"])
         self.assertEqual(answer["id"], json.loads(deep))
 
+    def test_whole_numbers_are_taken_however_they_are_written(self):
+        lines = ('{"command":"block_delete","switches":[1.0,2e0]}', '{"command":"tool","number":1.0,"length_mm":5}', '{"command":"events","since":1e3}',
+                 '{"command":"events","since":-0}', '{"command":"events","since":18446744073709551615}')
+        self.assertTrue(all(REQUEST.is_valid(json.loads(line)) for line in lines))
+        self.assertEqual([answer["accepted"] for answer in self.answers(lines)], [True] * len(lines))
+
+    def test_what_is_refused_whatever_the_state_is_wrong_by_the_schema(self):
+        lines = ('{"command":"block_delete","switches":[1.5]}', '{"command":"block_delete","switches":[10.0]}', '{"command":"tool","number":1.5,"length_mm":5}',
+                 '{"command":"tool","number":1e5,"length_mm":5}', '{"command":"events","since":1.5}', '{"command":"events","since":-1.0}',
+                 '{"command":"events","since":18446744073709551616}', '{"command":"events","since":1e300}', '{"command":"jog","velocity_mm_s":1}',
+                 '{"command":"jog"}', '{"id":1,"command":"jog"}', '{"command":"jog","x_mm":1,"x_mm_s":1}', '{"command":"jog","x_mm_s":1,"velocity_mm_s":1}')
+        self.assertEqual([line for line in lines if REQUEST.is_valid(json.loads(line))], [])
+        self.assertEqual([answer["accepted"] for answer in self.answers(lines)], [False] * len(lines))
+
+    def test_a_refusal_says_what_is_wrong(self):
+        self.assertEqual(self.reasons('{"command":"mdi","line":"' + "x" * 70000 + '"}', '{"command":"override","feed_percent":1e309}', '{"id":1e400,"command":"hold"}',
+                                      '{"command":"hold"', '{"command":"hold"} x', "", '{"command":"h\\q"}', '"hold"', "{}"),
+                         ["the line is longer than 65,536 bytes", "a number is out of range", "a number is out of range",
+                          "it is no JSON: wrong at byte 18", "it is no JSON: wrong at byte 20", "the line is empty", "it is no JSON: wrong at byte 15",
+                          "an object with a command is wanted", "an object with a command is wanted"])
+
+    def test_numbers_of_an_id_come_back_as_the_nearest_double_and_whole_ones_of_64_bits_exactly(self):
+        for text, back in (("18446744073709551615", 18446744073709551615), ("-9223372036854775808", -9223372036854775808), ("0.1", 0.1),
+                           ("123456789012345678901234567890", 123456789012345678901234567890.0)):
+            answer, = self.answers(['{"command":"hold","id":' + text + "}"])
+            self.assertEqual(answer["id"], back)
+
 
 if __name__ == "__main__":
     main()

@@ -96,7 +96,7 @@ class ControlChannel::Server {
   void add(Descriptor in, Descriptor out) {
     clients_.push_back(std::make_shared<ControlClient>(
         context_, std::move(in), std::move(out),
-        [this](const std::shared_ptr<ControlClient>& client, std::string_view line) {
+        [this](const std::shared_ptr<ControlClient>& client, std::optional<std::string_view> line) {
           if (!has_ended_) {
             answer(client, line);
           }
@@ -172,7 +172,7 @@ class ControlChannel::Server {
            (status.state == ControllerState::running && status.is_held_by_feed);
   }
 
-  void answer(const std::shared_ptr<ControlClient>& client, std::string_view line) {
+  void answer(const std::shared_ptr<ControlClient>& client, std::optional<std::string_view> line) {
     auto request = control_request(line);
     if (!request) {
       client->write(bad_request_json(request.error(), by_->status().state));

@@ -21,11 +21,12 @@
 
 namespace kerf::program {
 
-// Gives each line that comes to on_line, one that is too long as an empty one, and writes lines
-// without waiting. Of the channel's thread.
+// Gives each line that comes to on_line, nothing for one that is too long, and writes lines without
+// waiting. Of the channel's thread.
 class ControlClient : public std::enable_shared_from_this<ControlClient> {
  public:
-  using OnLine = std::function<void(const std::shared_ptr<ControlClient>&, std::string_view)>;
+  using OnLine =
+      std::function<void(const std::shared_ptr<ControlClient>&, std::optional<std::string_view>)>;
 
   ControlClient(boost::asio::io_context& context, Descriptor in, Descriptor out, OnLine on_line)
       : in_(context, std::move(in).release()), on_line_(std::move(on_line)) {
@@ -47,7 +48,9 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
             return;
           } else {
             const bool is_whole = !std::exchange(self->is_too_long_, false);
-            self->on_line_(self, std::string_view(self->text_).substr(0, is_whole ? size - 1 : 0));
+            self->on_line_(
+                self, is_whole ? std::optional(std::string_view(self->text_).substr(0, size - 1))
+                               : std::nullopt);
             self->text_.erase(0, size);
           }
           self->read();

@@ -210,8 +210,11 @@ std::string key_of_name(std::string_view name) {
   return key;
 }
 
-tl::expected<ControlRequest, BadRequest> control_request(std::string_view line) {
-  auto object = request_object(line);
+tl::expected<ControlRequest, BadRequest> control_request(std::optional<std::string_view> line) {
+  if (!line) {
+    return tl::unexpected(BadRequest{.reason = "the line is longer than 65,536 bytes"});
+  }
+  auto object = request_object(*line);
   if (!object) {
     return tl::unexpected(BadRequest{.reason = object.error()});
   }

@@ -53,7 +53,8 @@ struct BadRequest {
   std::string reason;
   std::string id{"null"};
 };
-tl::expected<ControlRequest, BadRequest> control_request(std::string_view line);
+// Nothing: the line was too long.
+tl::expected<ControlRequest, BadRequest> control_request(std::optional<std::string_view> line);
 
 // "emergency_stop" of "emergency stop": states and commands as JSON has them.
 std::string key_of_name(std::string_view name);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -44,6 +45,17 @@ class RequestKeys {
       complaint_ = std::string(key) + " is to be " + wanted;
     }
   }
+  // 1.0, 1e3 and -0 are whole, too. Nothing: it is none, or has more than 64 bits.
+  static std::optional<std::uint64_t> whole_number(const Json& found) {
+    constexpr double kEnd = 18446744073709551616.0;  // 2^64
+    if (found.is_number_unsigned()) {
+      return found.get<std::uint64_t>();
+    }
+    const double value = found.is_number() ? found.get<double>() : -1.0;
+    return value >= 0.0 && value < kEnd && value == std::floor(value)
+               ? std::optional(static_cast<std::uint64_t>(value))
+               : std::nullopt;
+  }
   void read_into(const char* key, const Json& found, std::optional<double>& value) {
     if (found.is_number()) {
       value = found.get<double>();
@@ -62,23 +74,23 @@ class RequestKeys {
     }
   }
   void read_into(const char* key, const Json& found, std::uint64_t& value) {
-    if (found.is_number_unsigned()) {
-      value = found.get<std::uint64_t>();
+    if (const auto number = whole_number(found)) {
+      value = *number;
     } else {
       complain(key, "a whole number of 0 or more");
     }
   }
   void read_into(const char* key, const Json& found, BlockDelete& value) {
-    const auto is_switch = [](const Json& number) {
-      return number.is_number_unsigned() && number.get<std::uint64_t>() >= 1 &&
-             number.get<std::uint64_t>() <= BlockDelete::kSwitches;
+    const auto is_switch = [](const Json& found_number) {
+      const std::uint64_t number = whole_number(found_number).value_or(0);
+      return number >= 1 && number <= BlockDelete::kSwitches;
     };
     if (!found.is_array() || !std::ranges::all_of(found, is_switch)) {
       complain(key, "numbers from 1 to 9, as in [1, 3]");
       return;
     }
     for (const Json& number : found) {
-      value.switch_on(number.get<unsigned>());
+      value.switch_on(static_cast<unsigned>(whole_number(number).value_or(0)));
     }
   }
   void read_into(const char* key, const Json& found, std::string& value) {

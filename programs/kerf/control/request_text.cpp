@@ -31,15 +31,25 @@ int depth_of(std::string_view line) {
 }  // namespace
 
 tl::expected<nlohmann::ordered_json, std::string> request_object(std::string_view line) {
+  using Json = nlohmann::ordered_json;
   constexpr int kDeepest = 64;
+  if (line.empty()) {
+    return tl::unexpected<std::string>("the line is empty");
+  }
   if (depth_of(line) > kDeepest) {
     return tl::unexpected<std::string>("it is nested more than 64 deep");
   }
-  auto json = nlohmann::ordered_json::parse(line, nullptr, false);
-  if (!json.is_object()) {
-    return tl::unexpected<std::string>("an object with a command is wanted");
+  try {
+    Json json = Json::parse(line);
+    if (json.is_object()) {
+      return json;
+    }
+  } catch (const Json::out_of_range&) {
+    return tl::unexpected<std::string>("a number is out of range");
+  } catch (const Json::parse_error& error) {
+    return tl::unexpected("it is no JSON: wrong at byte " + std::to_string(error.byte));
   }
-  return json;
+  return tl::unexpected<std::string>("an object with a command is wanted");
 }
 
 }  // namespace kerf::program
