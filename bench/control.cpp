@@ -139,7 +139,8 @@ double shortest_on_line_mm() {
   return 0.5 * kLineFeed_mm_s * (kLineFeed_mm_s / a + a / j);
 }
 
-bool in_virtual_time(const ControlProgram& program, ProfileKind profile) {
+bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
+                     const std::string& folder) {
   const HeldRun run(program, profile);
   std::vector<double> reaction;
   std::vector<double> planning;
@@ -158,6 +159,11 @@ bool in_virtual_time(const ControlProgram& program, ProfileKind profile) {
     way_mm = std::max(way_mm, held.way_mm);
     over_shortest.push_back(held.way_mm /
                             shortest_stop_mm(path, held.from, default_machine().limits));
+    if (!folder.empty() && over_shortest.back() > kWayAtMost) {
+      write_way(folder + '/' + program.name + '-' + std::string(name_of(profile)) + '-' +
+                    std::to_string(tick) + ".txt",
+                path, {.from = held.from, .way_mm = held.way_mm});
+    }
   }
   const bool holds = quantile(reaction, 1.0) <= kReactionAtMost_ms &&
                      quantile(over_shortest, 0.5) <= kWayAtMost &&
@@ -260,7 +266,7 @@ bool in_real_time(const ControlProgram& program, ProfileKind profile) {
 
 }  // namespace
 
-int control() {
+int control(const std::string& folder) {
   const std::vector<ControlProgram> all = control_programs();
   constexpr std::array kProfiles{ProfileKind::time_optimal, ProfileKind::s_curve};
   bool holds = true;
@@ -276,7 +282,7 @@ int control() {
       kHolds);
   for (const ControlProgram& program : all) {
     for (const ProfileKind profile : kProfiles) {
-      holds &= in_virtual_time(program, profile);
+      holds &= in_virtual_time(program, profile, folder);
     }
   }
   std::printf(

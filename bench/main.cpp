@@ -140,7 +140,10 @@ constexpr std::array kCommands{
             [](const Words& words) {
               return words.size() == 2 ? kerf::bench::parse() : kerf::bench::parse_once(words[2]);
             }},
-    Command{"control", 0, [](const Words&) { return kerf::bench::control(); }},
+    Command{"control", 1,
+            [](const Words& words) {
+              return kerf::bench::control(words.size() == 3 ? words[2] : std::string());
+            }},
     Command{"holds", kMany,
             [](const Words& words) {
               const auto order = holds_order(words);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
 
 namespace kerf::bench {
 
@@ -56,6 +57,22 @@ double shortest_stop_mm(const test::PlannedPath& path, const PathState& from,
     at.a_mm_s2 = next_mm_s2;
   }
   return at.s_mm - from.s_mm;
+}
+
+void write_way(const std::string& file, const test::PlannedPath& path, const WayToRest& way) {
+  constexpr double kBetween_mm = 0.002;
+  constexpr double kFar = 1.5;
+  std::ofstream out(file);
+  out.precision(12);
+  out << way.from.v_mm_s << ' ' << way.from.a_mm_s2 << ' ' << way.way_mm << '\n';
+  for (double s_mm = 0.0; s_mm < kFar * way.way_mm; s_mm += kBetween_mm) {
+    const curves::PathDerivatives q = path.derivatives_at(way.from.s_mm + s_mm);
+    out << s_mm;
+    for (std::size_t k = 0; k < q.first.size(); ++k) {
+      out << ' ' << q.first[k] << ' ' << q.second_per_mm[k] << ' ' << q.third_per_mm2[k];
+    }
+    out << '\n';
+  }
 }
 
 }  // namespace kerf::bench

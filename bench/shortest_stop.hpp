@@ -1,6 +1,8 @@
 // A bound of the way to rest, by steps in time: what the search's ways are held against.
 #pragma once
 
+#include <string>
+
 #include <kerf/machine.hpp>
 
 #include "tests/kernel/planned_path.hpp"
@@ -17,7 +19,16 @@ struct PathState {
 // jerk that all axes bear at the place, down to the lowest acceleration that they bear; from where
 // the highest jerk brings the motion to rest, that. Optimistic: jumps of direction and curvature
 // cost nothing, and where no jerk keeps all limits the path's own counts.
+// bench/optima/shortest_stops finds those that are.
 double shortest_stop_mm(const test::PlannedPath& path, const PathState& from,
                         const MachineLimits& limits);
+
+// For bench/optima/shortest_stops, into a file: the motion in which a way begins and the way, then,
+// over half as much again, rows of distance and for each axis the path's three derivatives by s.
+struct WayToRest {
+  PathState from{};
+  double way_mm = 0.0;
+};
+void write_way(const std::string& file, const test::PlannedPath& path, const WayToRest& way);
 
 }  // namespace kerf::bench

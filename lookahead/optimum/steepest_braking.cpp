@@ -83,6 +83,7 @@ class Steps {
   struct Place {
     const Cell* cell = nullptr;
     PathSample path{};
+    std::size_t index = 0;  // of the cell
   };
 
   // Nothing: it lies behind what is known.
@@ -92,7 +93,7 @@ class Steps {
       return std::nullopt;
     }
     const Cell& cell = way_->cells()[place->cell];
-    return Place{.cell = &cell, .path = path_(cell, place->s_mm)};
+    return Place{.cell = &cell, .path = path_(cell, place->s_mm), .index = place->cell};
   }
 
   // The jerk that leads to rest in 2 v / |a|.
@@ -150,6 +151,21 @@ class Steps {
             .a_mm_s2 = now_.a_mm_s2 + t * jerk_mm_s3};
   }
 
+  // At the ends of the cells that a step passes, where derivatives may jump: on both sides.
+  [[nodiscard]] Range jerks_at_ends(const profiles::PathMotion& end, std::size_t last) const {
+    Range range;
+    const double v_mm_s = std::max(now_.v_mm_s, end.v_mm_s);
+    for (std::size_t i = cell_; i < last; ++i) {
+      const double share = (way_->way_to_end_mm(i) - now_.s_mm) / (end.s_mm - now_.s_mm);
+      const double time_s = std::clamp(share, 0.0, 1.0) * step_s_;
+      const Cell& before = way_->cells()[i];
+      const Cell& behind = way_->cells()[i + 1];
+      range.narrow(jerks({&before, path_(before, before.s_end_mm()), i}, v_mm_s, time_s));
+      range.narrow(jerks({&behind, path_(behind, behind.s_begin_mm), i + 1}, v_mm_s, time_s));
+    }
+    return range;
+  }
+
   // False: the limits leave no jerk, or the way leaves what is known.
   bool go_on(const Place& place) {
     const Range here = jerks(place, now_.v_mm_s, 0.0);
@@ -162,6 +178,7 @@ class Steps {
       }
       Range range = here;
       range.narrow(jerks(*there, end.v_mm_s, step_s_));
+      range.narrow(jerks_at_ends(end, there->index));
       const Range a = accelerations(*there, end);
       range.narrow(
           {.low = (a.low - now_.a_mm_s2) / step_s_, .high = (a.high - now_.a_mm_s2) / step_s_});

@@ -37,6 +37,8 @@ class WayAhead {
     std::size_t from = 0;  // no cell before this one is looked at
   };
   [[nodiscard]] std::optional<Place> place_at(const Sought& sought) const;
+  // From the motion to the end of a cell.
+  [[nodiscard]] double way_to_end_mm(std::size_t cell) const { return ways_mm_[cell]; }
   // False: so far it goes on over blocks that were not looked at.
   [[nodiscard]] bool knows(double distance_mm) const;
   [[nodiscard]] PathAt path() const { return waiting_.path_of(blocks_); }
