@@ -50,8 +50,8 @@ inline MachineSettings mill() {
   return settings;
 }
 
-// On the mill, at the most: 20 ms until a request has changed the motion, A/J until it accelerates no
-// more, and an S-curve from the largest feedrate, v/A + A/J. A program that ends sooner may end
+// On the mill, at the most: 20 ms until a request has changed the motion, A/J until it accelerates
+// no more, and an S-curve from the largest feedrate, v/A + A/J. A program that ends sooner may end
 // before it is held.
 inline constexpr std::int64_t kLongestStop_ticks = 20 + 40 + 75 + 40;
 
