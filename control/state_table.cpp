@@ -99,8 +99,8 @@ constexpr std::array<std::string_view, kCommands> kCommandNames{
     "enable",        "disable",        "start", "hold",     "resume",
     "stop",          "emergency stop", "reset", "override", "single block",
     "optional stop", "block delete",   "mdi",   "jog",      "home"};
-constexpr std::array<std::string_view, 6> kCauseNames{
-    "none", "program stop", "optional stop", "pallet change", "tool change", "block end"};
+constexpr std::array<std::string_view, 7> kCauseNames{
+    "none", "program stop", "optional stop", "pallet change", "tool change", "block end", "start"};
 constexpr std::array<std::string_view, 5> kWaitNames{"nothing", "answer", "text", "planning",
                                                      "machine"};
 

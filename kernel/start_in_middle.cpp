@@ -106,6 +106,7 @@ void SwitchedState::add(const EventMove& event) {
     case EventKind::optional_stop:
     case EventKind::pallet_change:
     case EventKind::program_end:
+    case EventKind::start:
       break;
     case EventKind::tool_change:
       tool_ = event;
@@ -199,7 +200,7 @@ std::vector<StartInMiddle::Output> StartInMiddle::way_to(const Output& first) co
                                    tool_.position_mm[2], target.position_mm[2]});
   Way way(source_of(first), start_.blocks_before + 1, tool_);
   if (start_.waits) {
-    way.stay(EventMove{.kind = EventKind::program_stop});
+    way.stay(EventMove{.kind = EventKind::start});
   }
   PlaceOfTool up = tool_;
   up.position_mm[2] = safe_mm;

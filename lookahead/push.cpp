@@ -120,6 +120,8 @@ WaitCause cause_of(parser::EventKind kind) {
       return WaitCause::pallet_change;
     case parser::EventKind::tool_change:
       return WaitCause::tool_change;
+    case parser::EventKind::start:
+      return WaitCause::start;
     default:
       return WaitCause::none;
   }

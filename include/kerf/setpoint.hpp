@@ -96,6 +96,7 @@ enum class WaitCause : std::uint8_t {
   pallet_change,  ///< M60
   tool_change,    ///< M6
   block_end,      ///< single block
+  start,          ///< in the middle of a program (KernelOptions::start)
 };
 
 }  // namespace v0

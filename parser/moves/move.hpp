@@ -76,6 +76,7 @@ enum class EventKind : std::uint8_t {
   feed_stop,          // M53: the same of the machine's feed stop
   probe_begin,        // G38: a rest, and the next motion ends where the machine says
   ask_machine,        // G38, M66, the spindle: at rest, until the machine has answered
+  start,              // in the middle of the program: until an operator has confirmed it
 };
 
 // What a program asks the machine where motion has come.
@@ -121,10 +122,12 @@ inline bool is_at_motion(EventKind kind) {
          is_of_override(kind);
 }
 
-// M0, M60, M6, and M1 where optional stops are on: somebody is to do something and say so.
+// M0, M60, M6, a start in the middle, and M1 where optional stops are on: somebody is to do
+// something and say so.
 inline bool waits_for_answer(EventKind kind, bool optional_stop) {
   return kind == EventKind::program_stop || kind == EventKind::pallet_change ||
-         kind == EventKind::tool_change || (kind == EventKind::optional_stop && optional_stop);
+         kind == EventKind::tool_change || kind == EventKind::start ||
+         (kind == EventKind::optional_stop && optional_stop);
 }
 
 // How many outputs of each kind there are: `index` counts from 0.

@@ -196,7 +196,7 @@ class Start(Case):
         for line in lines:
             told = json.loads(line)
             if told.get("state") == "waiting" and told.get("waits_for") == "answer":
-                self.assertEqual(told["line"], 7)
+                self.assertEqual((told["line"], told["wait_cause"]), (7, "start"))
                 break
         ours.sendall(b'{"command":"resume"}\n')
         process.communicate(timeout=60)
