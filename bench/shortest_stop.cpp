@@ -65,7 +65,9 @@ void write_way(const std::string& file, const test::PlannedPath& path, const Way
   std::ofstream out(file);
   out.precision(12);
   out << way.from.v_mm_s << ' ' << way.from.a_mm_s2 << ' ' << way.way_mm << '\n';
-  for (double s_mm = 0.0; s_mm < kFar * way.way_mm; s_mm += kBetween_mm) {
+  const auto rows = static_cast<int>(std::ceil(kFar * way.way_mm / kBetween_mm));
+  for (int i = 0; i < rows; ++i) {
+    const double s_mm = i * kBetween_mm;
     const curves::PathDerivatives q = path.derivatives_at(way.from.s_mm + s_mm);
     out << s_mm;
     for (std::size_t k = 0; k < q.first.size(); ++k) {
