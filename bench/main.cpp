@@ -1,4 +1,5 @@
-// kerf-bench papers: the published results beside ours. kerf-bench control: how soon a hold shows.
+// kerf-bench papers: the published results beside ours. kerf-bench control [FOLDER]: how soon a
+// hold shows and how far the tool goes; the folder gets the ways that are long, for shortest_stops.
 // kerf-bench holds [NAME] [--profile NAME] [--first N] [--last M]: a hold at every tick of a curve,
 // and of parts at every 37th, once for each of the remainders N to M; all are 0 to 36. kerf-bench
 // optimum: the time optimum of every shipped curve beside its reference. kerf-bench parse: text to
