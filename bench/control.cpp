@@ -47,8 +47,7 @@ struct Held {
   bool rests_as_planned = false;  // none is: the plan braked to a rest that is as near
   double planning_ms = 0.0;
   double rest_ms = 0.0;
-  double way_mm = 0.0;  // from the last tick that was not another
-  PathState from{};     // there
+  WayToRest way{};  // from the last tick that was not another
 };
 
 class HeldRun {
@@ -82,14 +81,17 @@ class HeldRun {
   // Watches ticks from the request on. True: the tool rests.
   [[nodiscard]] bool watch(TickStatus status, const Setpoint& setpoint, Held& held) const {
     const double ms = 1e3 * default_machine().limits.period_s;
-    if (held.way_mm == 0.0 && setpoint.position_mm == whole(setpoint.tick).position_mm) {
+    WayToRest& way = held.way;
+    if (way.way_mm == 0.0 && setpoint.position_mm == whole(setpoint.tick).position_mm) {
       held.reaction_ms += ms;
-      held.from = {.s_mm = setpoint.s_mm, .v_mm_s = setpoint.v_mm_s, .a_mm_s2 = setpoint.a_mm_s2};
+      way.from = {.s_mm = setpoint.s_mm, .v_mm_s = setpoint.v_mm_s, .a_mm_s2 = setpoint.a_mm_s2};
+      way.a_mm_s2 = {setpoint.a_mm_s2};
       return false;
     }
     held.rest_ms += ms;
-    held.way_mm = setpoint.s_mm - held.from.s_mm;
-    held.rests_as_planned = held.way_mm == 0.0;
+    way.way_mm = setpoint.s_mm - way.from.s_mm;
+    way.a_mm_s2.push_back(setpoint.a_mm_s2);
+    held.rests_as_planned = way.way_mm == 0.0;
     return status != TickStatus::running;
   }
 
@@ -129,14 +131,15 @@ double quantile(std::vector<double> values, double share) {
   return values.at(static_cast<std::size_t>(share * static_cast<double>(values.size() - 1)));
 }
 
-// v^2 / 2A + v A / 2J, of X.
+// v^2 / 2a + v a / 2J of X, where a is the highest deceleration: A, or what it gets to.
 double shortest_on_line_mm() {
   const MachineLimits limits = default_machine().limits;
   const MotionLimits& x = limits.axes[0];
   const MotionLimits& path = limits.path;
   const double a = std::min(x.acceleration_mm_s2, path.acceleration_mm_s2);
   const double j = std::min(x.jerk_mm_s3, path.jerk_mm_s3);
-  return 0.5 * kLineFeed_mm_s * (kLineFeed_mm_s / a + a / j);
+  const double highest = std::min(a, std::sqrt(kLineFeed_mm_s * j));
+  return 0.5 * kLineFeed_mm_s * (kLineFeed_mm_s / highest + highest / j);
 }
 
 bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
@@ -156,13 +159,13 @@ bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
     reaction.push_back(held.reaction_ms);
     planning.push_back(held.planning_ms);
     rest.push_back(held.rest_ms);
-    way_mm = std::max(way_mm, held.way_mm);
-    over_shortest.push_back(held.way_mm /
-                            shortest_stop_mm(path, held.from, default_machine().limits));
+    way_mm = std::max(way_mm, held.way.way_mm);
+    over_shortest.push_back(held.way.way_mm /
+                            shortest_stop_mm(path, held.way.from, default_machine().limits));
     if (!folder.empty() && over_shortest.back() > kWayAtMost) {
       write_way(folder + '/' + program.name + '-' + std::string(name_of(profile)) + '-' +
                     std::to_string(tick) + ".txt",
-                path, {.from = held.from, .way_mm = held.way_mm});
+                path, held.way);
     }
   }
   const bool holds = quantile(reaction, 1.0) <= kReactionAtMost_ms &&

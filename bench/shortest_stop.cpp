@@ -65,6 +65,10 @@ void write_way(const std::string& file, const test::PlannedPath& path, const Way
   std::ofstream out(file);
   out.precision(12);
   out << way.from.v_mm_s << ' ' << way.from.a_mm_s2 << ' ' << way.way_mm << '\n';
+  for (const double a_mm_s2 : way.a_mm_s2) {
+    out << a_mm_s2 << ' ';
+  }
+  out << '\n';
   const auto rows = static_cast<int>(std::ceil(kFar * way.way_mm / kBetween_mm));
   for (int i = 0; i < rows; ++i) {
     const double s_mm = i * kBetween_mm;

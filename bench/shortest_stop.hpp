@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <kerf/machine.hpp>
 
@@ -23,11 +24,13 @@ struct PathState {
 double shortest_stop_mm(const test::PlannedPath& path, const PathState& from,
                         const MachineLimits& limits);
 
-// For bench/optima/shortest_stops, into a file: the motion in which a way begins and the way, then,
-// over half as much again, rows of distance and for each axis the path's three derivatives by s.
+// For bench/optima/shortest_stops, into a file: the motion in which a way begins and the way; the
+// accelerations at its ticks; then, over half as much again, rows of distance and for each axis the
+// path's three derivatives by s.
 struct WayToRest {
   PathState from{};
   double way_mm = 0.0;
+  std::vector<double> a_mm_s2{};  // at its ticks, of `from` on
 };
 void write_way(const std::string& file, const test::PlannedPath& path, const WayToRest& way);
 
