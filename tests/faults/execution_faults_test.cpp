@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,29 +20,12 @@ namespace {
 
 using test::expect_whole;
 using test::kFastest_mm_s;
+using test::kHeldTicks;
 using test::mill;
 using test::mixed_program;
+using test::run_held;
 using test::watched_run;
 using test::WatchedRun;
-
-constexpr std::int64_t kHeldTicks = 30;
-
-// Goes on once the tool has been held for some ticks.
-void go_on_from_hold(Kernel& kernel, const WatchedRun& run) {
-  if (run.count_at_end(TickStatus::held) >= kHeldTicks) {
-    kernel.resume();
-  }
-}
-
-// Holds before each of these ticks, and goes on.
-WatchedRun run_held(const std::string& text, const std::vector<std::int64_t>& hold_before) {
-  return watched_run({.text = text}, [&](Kernel& kernel, const WatchedRun& run) {
-    if (std::ranges::find(hold_before, run.next()) != hold_before.end()) {
-      kernel.hold();
-    }
-    go_on_from_hold(kernel, run);
-  });
-}
 
 std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
@@ -132,7 +116,7 @@ TEST(ExecutionFaults, Row54AHoldComesToRestOnThePathWhateverTheToolIsIn) {
   const std::int64_t in_corner =
       tick_where(corner, [](const Setpoint& tick) { return tick.position_mm[1] > 0.01; });
   for (const std::int64_t before : {12, 8, 4, 0}) {
-    const WatchedRun held = run_held(corner_text, {in_corner - before});
+    const WatchedRun held = run_held({.text = corner_text}, {in_corner - before});
     expect_whole(held, corner);
     EXPECT_GE(held.count(TickStatus::held), kHeldTicks);
   }
@@ -144,18 +128,18 @@ TEST(ExecutionFaults, Row54AHoldComesToRestOnThePathWhateverTheToolIsIn) {
     return tick.tick > 500 && tick.v_mm_s == 0.0 && tick.limit == Constraint::rest;
   });
   const std::int64_t last = std::ssize(whole) - 1;
-  for (const std::vector<std::int64_t>& ticks :
-       std::vector<std::vector<std::int64_t>>{{in_curve},
-                                              {in_curve, in_curve + 1},
-                                              {in_curve, in_curve + 5, in_curve + 200},
-                                              {in_dwell},
-                                              {in_dwell + 10, in_dwell + 60},
-                                              {last - 1},
-                                              {last}}) {
-    SCOPED_TRACE(ticks.front());
-    const WatchedRun held = run_held(text, ticks);
+  for (const std::set<std::int64_t>& ticks :
+       std::vector<std::set<std::int64_t>>{{in_curve},
+                                           {in_curve, in_curve + 1},
+                                           {in_curve, in_curve + 5, in_curve + 200},
+                                           {in_dwell},
+                                           {in_dwell + 10, in_dwell + 60},
+                                           {last - 1},
+                                           {last}}) {
+    SCOPED_TRACE(*ticks.begin());
+    const WatchedRun held = run_held({.text = text}, ticks);
     expect_whole(held, whole);
-    EXPECT_EQ(held.count(TickStatus::held) > 0, ticks.front() < last - 1);
+    EXPECT_EQ(held.count(TickStatus::held) > 0, *ticks.begin() < last - 1);
   }
 }
 

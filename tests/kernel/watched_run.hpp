@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,21 @@ WatchedRun watched_run(const WatchedProgram& program, Before before) {
   return run_ticks(program, [&](Kernel& kernel, const WatchedRun& run, Setpoint& setpoint) {
     before(kernel, run);
     return kernel.next(setpoint);
+  });
+}
+
+inline constexpr std::int64_t kHeldTicks = 20;
+
+// Calls hold() before each of these ticks, and resume() once the tool has been held for some time.
+inline WatchedRun run_held(const WatchedProgram& program,
+                           const std::set<std::int64_t>& hold_before) {
+  return watched_run(program, [&](Kernel& kernel, const WatchedRun& run) {
+    if (run.count_at_end(TickStatus::held) == kHeldTicks) {
+      kernel.resume();
+    }
+    if (hold_before.contains(run.next())) {
+      kernel.hold();
+    }
   });
 }
 
