@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <tuple>
@@ -166,6 +167,28 @@ diagnostics::Diagnostic too_many(const diagnostics::SourcePosition& source, std:
               " moves that are allowed"};
 }
 
+// Of the text and of curves together: whether the reading ends.
+class ErrorCount {
+ public:
+  bool is_full(const CheckReport& report, const ProgramPath& path) {
+    const std::size_t found = report.diagnostics.size() + path.diagnostics().size();
+    if (found != std::exchange(found_, found)) {
+      errors_ = errors_in(report.diagnostics) + errors_in(path.diagnostics());
+    }
+    return errors_ >= static_cast<std::ptrdiff_t>(parser::ReaderOptions{}.max_errors);
+  }
+
+ private:
+  static std::ptrdiff_t errors_in(const std::vector<diagnostics::Diagnostic>& list) {
+    return std::count_if(list.begin(), list.end(), [](const diagnostics::Diagnostic& found) {
+      return found.severity == diagnostics::Severity::error;
+    });
+  }
+
+  std::size_t found_ = 0;
+  std::ptrdiff_t errors_ = 0;
+};
+
 // False: what follows is never run, however long it is.
 template <typename Checker>
 bool feed_next(const TextSource& text, ProgramPath& path, Checker& checker) {
@@ -197,6 +220,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
   ProgramPath::Output output;
   std::uint64_t moves = 0;
   bool is_unit_known = false;
+  ErrorCount errors;
   for (bool ends = false; !ends && !(bounds.stop && bounds.stop());) {
     switch (path.next(output)) {
       case ProgramPath::Next::output: {
@@ -212,6 +236,8 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
         } else if (++moves > bounds.max_moves) {
           report.diagnostics.push_back(too_many(move.source, bounds.max_moves));
           ends = true;
+        } else {
+          ends = errors.is_full(report, path);
         }
         break;
       }

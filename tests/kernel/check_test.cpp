@@ -36,6 +36,17 @@ MachineSettings table_of(double min_mm, double max_mm) {
   return settings;
 }
 
+TEST(Check, EndsAfterAHundredErrorsOfTheTextAndOfCurvesTogether) {
+  std::string text = "G90 F100\n";
+  for (int i = 0; i < 150; ++i) {
+    text += i < 20 ? "X1 Q-\n" : "G92 X0 Y0\nG2 X0.01 Y0 I0.01\n";  // a centre that is the end
+  }
+  const CheckReport report = check(text + "M2\n");
+  EXPECT_EQ(report.diagnostics.size(), 100U);
+  EXPECT_EQ(report.diagnostics.back().page, &errors::kCurveRefused);
+  EXPECT_EQ(report.diagnostics.back().source.line, 181U);
+}
+
 TEST(Check, FindsNothingWrongInARightProgram) {
   const CheckReport report = check(mixed_program());
   EXPECT_FALSE(report.has_errors());
