@@ -142,8 +142,9 @@ struct ControllerStatus {
 
 /// Runs programs one after the other, each by a Kernel of its own, which begins where the tool is.
 /// Commands, feeding and planning are for one thread; tick() for another, which calls it once a
-/// period for ever, program or not. emergency_stop(), fail() and what only looks are for any
-/// thread, but program().
+/// period for ever, program or not. emergency_stop(), fail(), drives_on(), waits_for() and
+/// events_since() are for any thread; status() and message() for any but that of tick(); detail()
+/// and what its comments name for that one. docs/embedding.md has a row for each.
 ///
 /// The drives follow the state: they are on but in off and fault, and in emergency_stop once the
 /// tool rests or behind a fault (drives_on).

@@ -116,7 +116,8 @@ KERF_API tl::expected<MachineSettings, std::vector<SettingsError>> parse_machine
 /// The default table: what programs/machines/table.toml says, without a file.
 KERF_API MachineSettings default_machine();
 
-/// The first impossible value, under the name that the machine file has for it: "axes.x.max_mm".
+/// The first impossible value, under the name that the machine file has for it where it has one:
+/// "axes.x.max_mm".
 /// MachineLimits says which limits must be bounded. Each number of the table's drives is checked by
 /// itself; whether the drives can follow the plan is not.
 KERF_API tl::expected<void, SettingsError> validate(const MachineSettings& settings);

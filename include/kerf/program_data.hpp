@@ -160,8 +160,9 @@ struct ToolTableError {
 /// there, P is T where it is missing, everything else is 0; I, J and Q describe turning tools.
 /// Blank lines and lines that begin with ';' say nothing.
 //
-/// Errors: no T, T or P not whole or outside 0..99999, a word twice or with no value, an axis that
-/// the machine does not have, a negative D, an offset beyond 999999.999 mm, a tool listed twice.
+/// Errors: no T; T, P or Q not whole or outside 0..99999; a word twice or with no value, an unknown
+/// one; an offset of an axis other than X, Y and Z; a negative D; an offset beyond 999999.999 mm; a
+/// tool listed twice.
 KERF_API tl::expected<ToolTable, std::vector<ToolTableError>> read_tool_table(
     std::string_view text);
 
