@@ -29,7 +29,7 @@ enum class ControllerState : std::uint8_t {
   held,
   stopping,   ///< braking to the end of the program
   fault,      ///< the drives are off
-  jogging,    ///< by hand, from idle or held, or coming to rest behind it
+  jogging,    ///< by hand, from idle or held, or coming to rest after it
   returning,  ///< from where it was jogged to, to the place of the hold
   homing,     ///< the axes look for their switches
 };
@@ -108,7 +108,7 @@ struct ControllerEvent {
 
   std::uint64_t number = 0;  ///< counts from 1
   Kind kind = Kind::state;
-  ControllerState state = ControllerState::off;  ///< behind it
+  ControllerState state = ControllerState::off;  ///< after it
   WaitsFor waits_for = WaitsFor::nothing;
   WaitCause wait_cause = WaitCause::none;  ///< of WaitsFor::answer
   std::uint32_t line = 0;                  ///< of a state: where the tool was
@@ -147,7 +147,7 @@ struct ControllerStatus {
 /// and what its comments name for that one. docs/embedding.md has a row for each.
 ///
 /// The drives follow the state: they are on but in off and fault, and in emergency_stop once the
-/// tool rests or behind a fault (drives_on).
+/// tool rests or after a fault (drives_on).
 class KERF_API Controller {
  public:
   /// Off, with the tool at rest at the start place of the options, which are those of every
@@ -172,7 +172,7 @@ class KERF_API Controller {
   tl::expected<void, Refusal> set_block_delete(const BlockDelete& switches);
 
   /// Runs one line of an operator as a program of its own, with what the program or line before has
-  /// left in force; a program behind lines begins with what they left. A line that is wrong is
+  /// left in force; a program after lines begins with what they left. A line that is wrong is
   /// refused, and program() says why; of a line that calls others, what is wrong far behind is
   /// found as of a program.
   tl::expected<void, Refusal> run_mdi(std::string_view line);

@@ -85,7 +85,7 @@ struct KernelOptions {
   /// run, since the places that follow from the real contact are other ones.
   bool assumes_contact = false;
   /// plan() and tick() are called by one thread, or tick() waits for plan() (needs_plan()), which
-  /// is never late then: no way to rest is kept ready behind what is planned.
+  /// is never late then: no way to rest is kept ready after what is planned.
   bool one_thread = false;
   /// A third thread reads, Kernel::read(). Not with tells_operator.
   bool reads_apart = false;
@@ -102,7 +102,7 @@ struct KernelOptions {
   /// override. Empty: what the machine's settings say.
   ProgramState begins_with{};
   Outputs start_outputs{};
-  bool one_line = false;  ///< of an operator: it needs no M2 behind it
+  bool one_line = false;  ///< of an operator: it needs no M2 after it
   /// Nothing: from its begin. Of a Controller: its first program.
   std::optional<StartInProgram> start_in_program{};
   std::optional<Dialect> dialect{};  ///< nothing: the machine's
@@ -248,7 +248,7 @@ class KERF_API Kernel {
   /// Which blocks with a '/' are left out, of text that is not read yet. Planning side.
   void set_block_delete(const BlockDelete& switches);
   /// A tool is another one than the tool table said: for text that is not read yet. Where an M6
-  /// waits nothing behind it is read, so all that follows is planned with it. What is read from now
+  /// waits nothing after it is read, so all that follows is planned with it. What is read from now
   /// on is held against the travel, whatever KernelOptions::checks_travel says. False: its number
   /// or a length is impossible, and nothing changes. Planning side.
   bool set_tool(const Tool& tool);
@@ -264,7 +264,7 @@ class KERF_API Kernel {
   /// Beside them F as it was written, S, and the tool in the spindle: "F600 S9000 T1"; no F before
   /// the first.
   [[nodiscard]] std::string_view active_words() const noexcept;
-  /// How long the rest of the program takes, by what the part behind the tool took. Nothing: nobody
+  /// How long the rest of the program takes, by what the part after the tool took. Nothing: nobody
   /// knows, or at a feed override of 0 never. Planning side.
   [[nodiscard]] std::optional<double> left_s() const;
 
@@ -277,7 +277,7 @@ class KERF_API Kernel {
   bool set_overrides(const Overrides& overrides);
 
   /// Follows the machine's inputs, in the way of set_overrides(). Where the tool is, the program
-  /// says whether a stop counts: the tool begins to hold some milliseconds behind the block that
+  /// says whether a stop counts: the tool begins to hold some milliseconds after the block that
   /// lets it. False: a value is out of its range, and nothing changes. Planning side.
   bool set_feed_inputs(const FeedInputs& inputs);
 
@@ -288,7 +288,7 @@ class KERF_API Kernel {
   /// not depend on set_program_inputs(). Tick side, as tick().
   [[nodiscard]] bool asks_machine() noexcept;
 
-  /// The tool comes to rest at the junction behind each block of the program and waits for
+  /// The tool comes to rest at the junction after each block of the program and waits for
   /// resume(); ticks are `waiting` then. From then on G64 makes no curve of several blocks and
   /// leaves their corners as they are; lines of which it has made one by then are one block.
   /// Switched on in motion, the first is the block at whose end the limits still let it rest.

@@ -216,8 +216,8 @@ struct ProgramData {
   /// To where Z goes up before a program that starts in its middle moves over the work; at most the
   /// travel's top, which it is where this is infinite.
   double safe_z_mm = kUnbounded;
-  double spindle_start_s = 0.0;  ///< rest behind an M3 or M4 that starts the spindle, >= 0
-  /// Behind M3, M4 and a new S the tool rests until the machine says that the spindle is at its
+  double spindle_start_s = 0.0;  ///< rest after an M3 or M4 that starts the spindle, >= 0
+  /// After M3, M4 and a new S the tool rests until the machine says that the spindle is at its
   /// speed (ProgramInputs), where KernelOptions::asks_machine.
   bool waits_for_spindle = false;
 };

@@ -84,7 +84,7 @@ enum class TickStatus : std::uint8_t {
   held,      ///< the tool is at rest in a feed hold; the setpoint repeats the last
   finished,  ///< this setpoint is the program's last, or repeats it
   failed,    ///< the same, of a program that ended before an error, or of a run that has a fault
-  waiting,   ///< at rest at an M0, M1, M60 or M6, or in single block behind a block, until resume()
+  waiting,   ///< at rest at an M0, M1, M60 or M6, or in single block after a block, until resume()
   emergency_stop,  ///< at rest after an emergency stop; the setpoint repeats the last
 };
 
