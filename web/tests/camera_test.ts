@@ -104,6 +104,18 @@ test("a view that is fitted from where it is by itself needs no words", () => {
   }
 });
 
+test("a view of no size is fitted once it has one, from the side that was asked for", () => {
+  const hidden = Object.assign(elementOf(), { clientWidth: 0 });
+  const camera = cameraOver(part, [], hidden);
+  camera.restore("");
+  Object.assign(hidden, { clientWidth: view.width });
+  camera.resize(view.width, view.height);
+  const usual = cameraOver(part);
+  usual.restore("");
+  assert.deepEqual(seenAt(camera, part.max), seenAt(usual, part.max));
+  assert.equal(camera.text, "");
+});
+
 test("a view that was moved and is fitted again needs no words, one that was turned does", () => {
   const told: string[] = [];
   const element = elementOf();

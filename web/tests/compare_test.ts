@@ -67,6 +67,21 @@ test("a machine on which the program does not run shows no instant of the one on
   await page.context().close();
 });
 
+test("the path is seen again after a look at a program that has none", async () => {
+  const { page, said } = await openReport([programFile("G21 G90 F600\nG1 X10 Y5 Z-2\nX0\nM2\n"), programFile("G1 G2 X5\nM2\n")]);
+  const canvas = page.locator(".path-view canvas").first();
+  const select = page.locator("select[aria-label=Program]");
+  const before = await canvas.screenshot();
+  await select.selectOption("1");
+  await page.waitForTimeout(100);
+  await select.selectOption("0");
+  await page.locator("body").press("f");
+  await page.waitForTimeout(300);
+  assert.ok(before.equals(await canvas.screenshot()));
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("programs of one name have numbers, and the first that runs is the base", async () => {
   const [slow, fast] = [600, 1200].map((feed) => programFile(`G21 G90 G61 F${feed}\nG1 X20\nM2\n`, `f${feed}/part.ngc`));
   const wrong = programFile("G1 G2 X5\nM2\n", "wrong.ngc");

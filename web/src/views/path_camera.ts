@@ -83,6 +83,7 @@ export class PathCamera {
   private box: Box = { min: [0, 0, 0], max: [0, 0, 0] }; // of what is to be seen
   private reach = 4; // farther than anything that is drawn
   private isFitted = false; // and no hand has moved it
+  private isToFit = false; // once the view has a size
   private readonly element: HTMLElement;
   private readonly settled: () => void;
 
@@ -110,6 +111,7 @@ export class PathCamera {
   resize(width: number, height: number): void {
     Object.assign(this.camera, { left: -width / 2, right: width / 2, top: height / 2, bottom: -height / 2 });
     this.camera.updateProjectionMatrix();
+    if (this.isToFit) this.fitBox();
   }
 
   // Before a frame is drawn.
@@ -162,12 +164,14 @@ export class PathCamera {
       return [point.x, point.y];
     });
     const { clientWidth: width, clientHeight: height } = this.element;
+    this.isFitted = true;
+    this.isToFit = width === 0 || height === 0;
+    if (this.isToFit) return;
     const { zoom, right, up } = placeFor(corners, { width, height }, this.covered);
     this.camera.zoom = zoom;
     const shift = new THREE.Vector3(-right, -up, 0).divideScalar(this.camera.zoom).applyQuaternion(this.camera.quaternion);
     this.controls.target.add(shift);
     this.camera.position.add(shift);
-    this.isFitted = true;
     this.update();
   }
 
@@ -178,7 +182,7 @@ export class PathCamera {
       this.turnTo(this.usualSide);
       return;
     }
-    this.isFitted = false;
+    this.isFitted = this.isToFit = false;
     this.controls.target.copy(found.target);
     // As far as this scene asks for: the view may be of another one.
     this.camera.position.copy(found.target).addScaledVector(found.direction, this.reach);

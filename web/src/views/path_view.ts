@@ -28,6 +28,7 @@ export class PathView {
   private places: Place[] = [];
   private corner: Size = { width: 0, height: 0 }; // that is covered, the lower right one
   private plan: Plan | null = null; // null: it has no path
+  private furnished: Plan | null = null; // also one without a path
   private scheduled = false;
   private refining: ReturnType<typeof setTimeout> | undefined;
   private ground: Ground;
@@ -55,6 +56,7 @@ export class PathView {
     this.plan = plan.path ? plan : null;
     this.pointer.plan = this.plan;
     this.scene.show(plan.path);
+    this.furnished = plan;
     this.scene.furnish(plan, this.ground);
     if (plan.path) {
       const travel = plan.header.machine.axes.slice(0, 3).flatMap((axis) => axis.travel.map((end) => end ?? 0));
@@ -67,7 +69,7 @@ export class PathView {
 
   setGround(ground: Ground): void {
     this.ground = ground;
-    if (this.plan) this.scene.furnish(this.plan, ground);
+    if (this.furnished) this.scene.furnish(this.furnished, ground);
     this.paint();
     this.showInstant();
   }
@@ -81,7 +83,7 @@ export class PathView {
   }
 
   restore(camera: string): void {
-    this.camera.restore(camera);
+    if (this.plan) this.camera.restore(camera);
   }
 
   private paint(): void {
