@@ -5,6 +5,11 @@ export interface Units {
   readonly time: "s" | "min"; // of feeds
 }
 
+export const MM_PER_MINUTE: Units = { length: "mm", time: "min" };
+
+// Of "inch/min" and the like.
+export const unitsNamed = (name: string): Units => ({ length: name.startsWith("inch") ? "inch" : "mm", time: name.endsWith("/s") ? "s" : "min" });
+
 export const MM_PER_INCH = 25.4;
 // A proper minus sign, and no negative zero.
 const sign = (text: string): string => (Number(text) === 0 ? text.replace("-", "") : text.replace("-", "\u2212"));
@@ -21,17 +26,20 @@ export function plain(value: number, digits = 4): string {
 export const fixed = (value: number, decimals: number): string => sign(value.toFixed(decimals));
 
 export function lengthText(mm: number, units: Units): string {
-  return units.length === "mm" ? fixed(mm, 3) : fixed(mm / MM_PER_INCH, 4);
+  return fixed(fromMm(mm, units), decimalsOf(units));
 }
 
+export const fromMm = (mm: number, units: Units): number => (units.length === "mm" ? mm : mm / MM_PER_INCH);
+const decimalsOf = (units: Units): number => (units.length === "mm" ? 3 : 4);
+
 // A bound that is written so is kept by what lies within it.
-export function boundText(mm: number, bound: "least" | "most", units: Units): string {
-  const [value, decimals] = units.length === "mm" ? [mm, 3] : [mm / MM_PER_INCH, 4];
-  const scaled = value * 10 ** decimals;
+export function boundOf(mm: number, bound: "least" | "most", units: Units): number {
+  const scale = 10 ** decimalsOf(units);
+  const scaled = fromMm(mm, units) * scale;
   const rounding = 1e-6;
-  const inwards = bound === "least" ? Math.ceil(scaled - rounding) : Math.floor(scaled + rounding);
-  return fixed(inwards / 10 ** decimals, decimals);
+  return (bound === "least" ? Math.ceil(scaled - rounding) : Math.floor(scaled + rounding)) / scale;
 }
+export const boundText = (mm: number, bound: "least" | "most", units: Units): string => fixed(boundOf(mm, bound, units), decimalsOf(units));
 
 export const lengthUnit = (units: Units): string => (units.length === "mm" ? "mm" : "in");
 

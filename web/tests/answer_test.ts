@@ -49,6 +49,14 @@ test("lists a warning once, with what to do", async () => {
   await page.context().close();
 });
 
+test("no work offset is offered to a path that leaves the travel without following one", async () => {
+  const { page, said } = await openReport([programFile("G21 G90 F600\nG53 G0 X600\nG1 X20\nM2\n")]);
+  assert.match(await textOf(page, "extents"), /X .* over by 100\.000/);
+  assert.match(await textOf(page, "offset-in-force"), /X no place: over by 100(\.000)? wherever it lies/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 test("a further axis that leaves its travel is no program that fits", async () => {
   const table = readFileSync(join(SOURCE, "programs", "machines", "table.toml"), "utf8");
   const turning = programFile(`${table}\n[axes.a]\nmin_deg = -90\nmax_deg = 90\nmax_velocity_deg_s = 90\nmax_acceleration_deg_s2 = 900\nmax_jerk_deg_s3 = 9000\n`, "turning.toml");

@@ -1,10 +1,11 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { accountOf, fitsOf, headingsOf, total } from "../src/plan/account.ts";
+import { accountOf, fitsOf } from "../src/plan/account.ts";
 import { ByLine } from "../src/plan/by_line.ts";
 import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
+import { operationsOf, splitOf, toolsOf } from "../src/plan/split.ts";
 import { drawnColumns, drawnLimits, finenessText } from "../src/views/columns.ts";
 import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
 import { numbersOf, planOf } from "./helper.ts";
@@ -65,31 +66,31 @@ test("the last value at or before another is found", () => {
   assert.deepEqual([-1, 0, 2, 3, 9, 10, 99].map((value) => lastAtOrBefore(values, value)), [-1, 0, 0, 2, 2, 3, 3]);
 });
 
-test("time is split by what the machine does, by tool and by line", () => {
-  const plan = planOf([
-    { ticks: 10, line: 1, kind: RunKind.rapid },
-    { ticks: 500, line: 2, kind: RunKind.rest, tool: 0 },
-    { ticks: 1, line: 2, kind: RunKind.rest, tool: 4 },
-    { ticks: 70, line: 3, kind: RunKind.cut, tool: 4 },
-    { ticks: 30, line: 4, kind: RunKind.rest, tool: 4 },
-    { ticks: 5, line: 3, kind: RunKind.cut, tool: 4 },
-  ]);
-  const account = accountOf(plan);
-  assert.deepEqual(account.whole, { cut: 75, rapid: 10, rest: 30, toolChange: 501 });
-  assert.equal(total(account.whole), 616);
-  assert.deepEqual(account.tools.map((part) => [part.name, total(part.split)]), [["no tool", 510], ["T4", 106]]);
+test("a line has the time of all its runs, and begins with the first", () => {
+  const account = accountOf(
+    planOf([
+      { ticks: 10, line: 1, kind: RunKind.rapid },
+      { ticks: 501, line: 2, kind: RunKind.rest },
+      { ticks: 70, line: 3, kind: RunKind.cut },
+      { ticks: 30, line: 4, kind: RunKind.rest },
+      { ticks: 5, line: 3, kind: RunKind.cut },
+    ]),
+  );
   assert.deepEqual(numbersOf(account.lines), [[1, 10], [2, 501], [3, 75], [4, 30]]);
-  assert.equal(account.firstTick.get(3), 511, "the first of the times that a line runs");
-  assert.deepEqual(account.operations, []);
+  assert.equal(account.firstTick.get(3), 511);
 });
 
-test("what stands where the tool changes is a rest where no change takes time", () => {
-  const runs = [
-    { ticks: 2000, line: 2, kind: RunKind.rest, tool: 1 },
-    { ticks: 70, line: 3, kind: RunKind.cut, tool: 1 },
-  ];
-  assert.deepEqual(accountOf(planOf(runs)).whole, { cut: 70, rapid: 0, rest: 0, toolChange: 2000 });
-  assert.deepEqual(accountOf(planOf(runs, null, {}, { time_split: { tool_change_s: 0 } })).whole, { cut: 70, rapid: 0, rest: 2000, toolChange: 0 });
+test("time is split as the report has it, without parts that take none", () => {
+  const [rough, idle] = [{ cutting_s: 3, rapid_s: 1, rest_s: 0.5, tool_change_s: 2 }, { cutting_s: 0, rapid_s: 0, rest_s: 0, tool_change_s: 0 }];
+  const { report } = planOf([], null, {}, {
+    time_split: rough,
+    time_by_tool: [{ tool: "no tool", ...idle }, { tool: "T4", ...rough }],
+    time_by_operation: [{ operation: "rough", ...rough }, { operation: "nothing moves here", ...idle }],
+  }).header;
+  const split = { cut: 3, rapid: 1, rest: 0.5, toolChange: 2 };
+  assert.deepEqual(splitOf(report), split);
+  assert.deepEqual(toolsOf(report), [{ name: "T4", split }]);
+  assert.deepEqual(operationsOf(report), [{ name: "rough", split }]);
 });
 
 test("a line without a number has none, and 0 is one", () => {
@@ -98,15 +99,6 @@ test("a line without a number has none, and 0 is one", () => {
   lines.set(1, 7.5);
   assert.deepEqual([-1, 0, 1, 2, 3, 4, 5].map((line) => lines.get(line)), [undefined, undefined, 7.5, undefined, 0, undefined, undefined]);
   assert.deepEqual(numbersOf(lines), [[1, 7.5], [3, 0]]);
-});
-
-test("headings are the comments that stand alone in a line", () => {
-  const source = "(T1 end mill)\nG0 X1 (not this)\n N20 (pocket 1)\n; contour\n(MSG, hello)\n(print,#1)\n()\n(a)(b)\n";
-  assert.deepEqual(headingsOf(source), [
-    { line: 1, text: "T1 end mill" },
-    { line: 3, text: "pocket 1" },
-    { line: 4, text: "contour" },
-  ]);
 });
 
 // What kerf makes of each: tests/parser/text/line_splitter_test.cpp.
@@ -119,30 +111,6 @@ test("a text has one line end for each that kerf counts, whatever it is made of"
   assert.deepEqual(linesOf("a\r\nb\n\rc\rd"), ["a", "b", "c", "d"]);
   assert.deepEqual(linesOf("a\n\r\nb"), ["a", "", "b"]);
   assert.deepEqual(linesOf("a\n\r\r\rb"), ["a", "b"]);
-});
-
-test("lines that end with CR alone have operations", () => {
-  const account = accountOf(planOf([{ ticks: 20, line: 2, kind: RunKind.cut }], "(rough)\rG1 X1\r(finish)\rM2\r"));
-  assert.deepEqual(account.operations.map((part) => [part.name, part.line, part.split.cut]), [["rough", 1, 20]]);
-});
-
-test("time by operation goes to the last heading before the line", () => {
-  const source = "G21\n(rough)\nG1 X1\n(finish)\nG1 X2\n(nothing moves here)\n";
-  const account = accountOf(
-    planOf(
-      [
-        { ticks: 1, line: 1, kind: RunKind.cut },
-        { ticks: 20, line: 3, kind: RunKind.cut },
-        { ticks: 300, line: 5, kind: RunKind.cut },
-      ],
-      source,
-    ),
-  );
-  assert.deepEqual(account.operations.map((part) => [part.name, part.line, part.split.cut]), [
-    ["before the first heading", 1, 1],
-    ["rough", 2, 20],
-    ["finish", 4, 300],
-  ]);
 });
 
 test("the box of the program stands beside the travel, with what the report says of them", () => {

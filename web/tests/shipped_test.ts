@@ -23,9 +23,11 @@ for (const name of shipped) {
     }
     assert.equal(await textOf(page, "fit-verdict"), "fits the travel");
 
-    // The split adds up, and its rapids are those of the trace.
-    const parts = await page.locator('[data-test^="time-"]').allTextContents();
-    assert.ok(parts.length >= 2);
+    // Where the time goes.
+    const split: Record<string, number> = json.time_split;
+    for (const [part, key] of [["cut", "cutting_s"], ["rapid", "rapid_s"]] as const) assert.equal(await textOf(page, `time-${part}`), clock(split[key]!));
+    const sum = Object.values(split).reduce((all, part_s) => all + part_s, 0);
+    assert.ok(Math.abs(sum - json.cycle_time_s) < json.period_s, `${sum} of ${json.cycle_time_s}`);
 
     // An instant: its line, its feed and what limits it.
     for (const share of [0.2, 0.57, 0.9]) {

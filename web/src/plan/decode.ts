@@ -50,6 +50,13 @@ export interface OffsetRange {
   readonly fits_somewhere: boolean; // false: the path is longer than the travel
 }
 
+interface TimeData {
+  readonly cutting_s: number;
+  readonly rapid_s: number;
+  readonly rest_s: number;
+  readonly tool_change_s: number;
+}
+
 // What `kerf dry-run --json` prints: docs/json.md. Only what the page uses.
 export interface Report {
   readonly file: string;
@@ -60,7 +67,9 @@ export interface Report {
   readonly period_s: number;
   readonly cycle_time_s?: number;
   readonly ticks?: number;
-  readonly time_split?: { readonly tool_change_s: number };
+  readonly time_split?: TimeData;
+  readonly time_by_tool?: readonly (TimeData & { readonly tool: string })[];
+  readonly time_by_operation?: readonly (TimeData & { readonly operation: string })[];
   readonly path_length_mm?: number;
   readonly blocks?: number;
   readonly extents?: Extents;
@@ -75,7 +84,7 @@ export interface Report {
     limits: Record<string, { time_s: number; share: number }>;
   }[];
   readonly fit?: {
-    readonly axes: Readonly<Record<string, { over_mm: number }>>;
+    readonly axes: Readonly<Record<string, { over_mm: number; fixed_over_mm?: number }>>; // fixed: of what follows no work offset
     readonly work_offsets: readonly { readonly name: string; readonly axes: Readonly<Record<string, OffsetRange>> }[];
   };
   readonly warnings: readonly string[];
@@ -102,6 +111,7 @@ export interface Header {
   };
   readonly constraints: readonly ConstraintData[];
   readonly has_source: boolean;
+  readonly feed_unit?: "mm/s" | "mm/min" | "inch/min"; // as the program or --units has it
   readonly extents?: { readonly min_mm: Triple; readonly max_mm: Triple }; // also of a path that leaves the travel
   readonly last_tick?: number; // these only of a program that ran
   readonly ticks_per_column?: number;

@@ -6,7 +6,6 @@ export enum RunKind {
   rest,
   rapid,
   cut,
-  toolChange, // a rest in which the tool in the spindle changes; found here
 }
 
 // Run i is from tick[i] up to tick[i + 1], the last one up to the end.
@@ -50,21 +49,6 @@ export interface Motion {
   readonly lastTick: number;
 }
 
-// Rests within one line that the tool in the spindle changes in, or that end with another one.
-function findToolChanges(runs: Runs): void {
-  const { kind, line, tool } = runs;
-  let begin = 0;
-  while (begin < kind.length) {
-    let end = begin + 1;
-    if (kind[begin] === RunKind.rest) {
-      while (end < kind.length && kind[end] === RunKind.rest && line[end] === line[begin]) ++end;
-      const before = begin > 0 ? tool[begin - 1] : 0;
-      if (tool[end - 1] !== before) kind.fill(RunKind.toolChange, begin, end);
-    }
-    begin = end;
-  }
-}
-
 function wanted<T>(sections: { get(name: string): T | undefined }, name: string): T {
   const found = sections.get(name);
   if (!found) throw new Error(`the plan lacks ${name}`);
@@ -85,10 +69,8 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
     tick: of("runs.tick"),
     line: of("runs.line"),
     tool: of("runs.tool"),
-    kind: wanted(bytes, "runs.kind").slice(),
+    kind: wanted(bytes, "runs.kind"),
   };
-  // Where no change takes time, a rest that another tool follows is a dwell behind the change.
-  if (header.report.time_split?.tool_change_s !== 0) findToolChanges(runs);
   return {
     path,
     runs,

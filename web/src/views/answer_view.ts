@@ -1,14 +1,15 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
-import { SPLIT_NAMES, fitsOf, total, type Account, type Part, type Split } from "../plan/account.ts";
+import { fitsOf, type Account } from "../plan/account.ts";
 import { countText, errorCount, messagesOf } from "../plan/messages.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
 import type { Progress, Shown } from "../plan/source.ts";
+import { SPLIT_NAMES, operationsOf, splitOf, toolsOf, total, type Part, type Split } from "../plan/split.ts";
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
 import { h, table } from "../ui/dom.ts";
 import { cycleText, nameOf, numbered } from "../ui/header.ts";
 import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
-import { fitCard, fitText, rangeText } from "./fit_card.ts";
+import { fitCard, fitText, offsetText } from "./fit_card.ts";
 import { waitingTexts } from "./waiting.ts";
 
 // What to change where a constraint costs time.
@@ -22,14 +23,14 @@ const REMEDIES: readonly (readonly [RegExp, string])[] = [
   [/_acceleration$/, "the machine's acceleration: a gentler path or a faster machine"],
   [/_jerk$/, "the machine's jerk: a smoother path or a stiffer machine"],
 ];
-export const remedyOf = (key: string): string => REMEDIES.find(([pattern]) => pattern.test(key))?.[1] ?? "";
+const remedyOf = (key: string): string => REMEDIES.find(([pattern]) => pattern.test(key))?.[1] ?? "";
 
 const NAMES: Record<Quantity, string> = { v: "velocity", a: "acceleration", j: "jerk" };
 
-function bar(split: Split, seconds: (ticks: number) => string): HTMLElement {
+function bar(split: Split): HTMLElement {
   const all = total(split);
   const parts = SPLIT_NAMES.filter(([kind]) => split[kind] > 0).map(([kind, name]) => {
-    const part = h("span", { class: `part ${kind}`, title: `${name} ${seconds(split[kind])}` });
+    const part = h("span", { class: `part ${kind}`, title: `${name} ${clock(split[kind])}` });
     part.style.flexGrow = String(split[kind] / all);
     return part;
   });
@@ -65,8 +66,6 @@ export class AnswerView {
     this.progress = progress;
     this.strip.firstElementChild?.replaceWith(this.waitingCard());
   }
-
-  private seconds = (ticks: number): string => clock(ticks * this.plan!.period_s);
 
   private lineButton(line: number, text = `line ${line}`): HTMLElement {
     const tick = this.account!.firstTick.get(line);
@@ -106,18 +105,18 @@ export class AnswerView {
   // What ran until then is shown, but its time is no cycle time.
   private earlyEndCard(): HTMLElement {
     const { first } = messagesOf(this.plan!);
-    return this.card("Ends early", "failed", h("div", { class: "big bad" }, `after ${this.seconds(this.plan!.motion!.lastTick)}`), h("div", { class: "soft" }, first));
+    return this.card("Ends early", "failed", h("div", { class: "big bad" }, `after ${clock(this.plan!.motion!.lastTick * this.plan!.period_s)}`), h("div", { class: "soft" }, first));
   }
 
   private timeCard(): HTMLElement {
-    const { whole } = this.account!;
+    const whole = splitOf(this.plan!.header.report);
     const keys = SPLIT_NAMES.filter(([kind]) => whole[kind] > 0 || kind === "cut" || kind === "rapid").map(([kind, name]) =>
-      h("span", { class: "key" }, h("i", { class: `part ${kind}` }), `${name} `, h("b", { "data-test": `time-${kind}` }, this.seconds(whole[kind]))),
+      h("span", { class: "key" }, h("i", { class: `part ${kind}` }), `${name} `, h("b", { "data-test": `time-${kind}` }, clock(whole[kind]))),
     );
     const seconds = this.plan!.header.report.cycle_time_s ?? 0;
     const text = this.differenceOf(this.plan!);
     const more = text === "" ? null : h("span", { class: `more ${text.startsWith("+") ? "bad" : "good"}`, "data-test": "time-difference", title: "against the run that it is compared with" }, text);
-    return this.card("Cycle time", "cycle", h("div", { class: "big" }, h("span", { "data-test": "cycle-time" }, clock(seconds)), more), bar(whole, this.seconds), h("div", { class: "keys" }, ...keys));
+    return this.card("Cycle time", "cycle", h("div", { class: "big" }, h("span", { "data-test": "cycle-time" }, clock(seconds)), more), bar(whole), h("div", { class: "keys" }, ...keys));
   }
 
   private fitCard(): HTMLElement {
@@ -177,8 +176,10 @@ export class AnswerView {
     }
     add("Five lines that cost most", this.linesTable());
     add("What limits the feed", this.constraintsTable());
-    if (this.account!.tools.length > 1 || this.account!.whole.toolChange > 0) add("By tool", this.partsTable("tool", this.account!.tools));
-    if (this.account!.operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", this.account!.operations));
+    const tools = toolsOf(report);
+    const operations = operationsOf(report);
+    if (tools.length > 1 || splitOf(report).toolChange > 0) add("By tool", this.partsTable("tool", tools));
+    if (operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", operations));
     addOffsets();
     add("Largest figures", this.usesTable());
     add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ...(report.feed_override === 1 ? [] : [["feed override", `${plain(100 * report.feed_override)} %`]]), ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
@@ -211,7 +212,7 @@ export class AnswerView {
     const offsets = this.plan!.header.report.fit?.work_offsets ?? [];
     return table(
       ["axis", "the path", ...offsets.map((offset) => `${offset.name} between`)],
-      fitsOf(this.plan!).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), ...offsets.map((offset) => rangeText(offset.axes[fit.axis], units))]),
+      fitsOf(this.plan!).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), ...offsets.map((offset) => offsetText(this.plan!, offset.axes[fit.axis], fit.axis, units))]),
       "offsets",
     );
   }
@@ -242,8 +243,8 @@ export class AnswerView {
       [what, "time", "cut", "rapid", "rest", "tool"],
       parts.map((part) => [
         part.name,
-        this.seconds(total(part.split)),
-        ...SPLIT_NAMES.map(([kind]) => (part.split[kind] > 0 ? this.seconds(part.split[kind]) : "")),
+        clock(total(part.split)),
+        ...SPLIT_NAMES.map(([kind]) => (part.split[kind] > 0 ? clock(part.split[kind]) : "")),
       ]),
       `by-${what}`,
     );

@@ -1,5 +1,5 @@
 // Two runs side by side: all of their time, by what the machine does, by limit and by line.
-import { SPLIT_NAMES, total, type Account } from "../plan/account.ts";
+import { SPLIT_NAMES, splitOf, total } from "../plan/split.ts";
 import { largestFirst, limitRows, lineRows, type LineRow, type Ran, type Row } from "../plan/difference.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
@@ -75,13 +75,10 @@ export class DifferenceView {
   private cells = ({ base_s, other_s }: Row): (string | Node)[] => [clock(base_s), clock(other_s), h("span", { class: other_s > base_s ? "bad" : "good" }, difference(base_s, other_s))];
 
   private wholeTable({ base, other }: Pair): HTMLElement {
-    const seconds = (plan: Plan, ticks: number): number => ticks * plan.period_s;
-    const part = (name: string, of: (account: Account) => number): (string | Node)[] => [
-      name,
-      ...this.cells({ base_s: seconds(base.plan, of(base.account)), other_s: seconds(other.plan, of(other.account)) }),
-    ];
-    const kinds = SPLIT_NAMES.filter(([kind]) => base.account.whole[kind] + other.account.whole[kind] > 0);
-    return table(["", base.name, other.name, "difference"], [part("cycle time", (account) => total(account.whole)), ...kinds.map(([kind, name]) => part(name, (account) => account.whole[kind]))], "difference-whole");
+    const [before, after] = [splitOf(base.plan.header.report), splitOf(other.plan.header.report)];
+    const part = (name: string, base_s: number, other_s: number): (string | Node)[] => [name, ...this.cells({ base_s, other_s })];
+    const kinds = SPLIT_NAMES.filter(([kind]) => before[kind] + after[kind] > 0);
+    return table(["", base.name, other.name, "difference"], [part("cycle time", total(before), total(after)), ...kinds.map(([kind, name]) => part(name, before[kind], after[kind]))], "difference-whole");
   }
 
   private limitTable({ base, other }: Pair): HTMLElement {
