@@ -5,6 +5,7 @@ import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { clock } from "../units.ts";
 import { chartAfter } from "./chart_keys.ts";
+import { listenToFingers } from "./chart_touch.ts";
 import { drawnLimits, finenessText, type Span } from "./columns.ts";
 import type { Ground } from "./ground.ts";
 import { AXIS_PIXELS, TimeChart, type Charted } from "./time_chart.ts";
@@ -33,7 +34,7 @@ export class TimeView {
     this.charts = [new TimeChart("v", "feed", zoomTo), new TimeChart("a", "accel.", zoomTo), new TimeChart("j", "jerk", zoomTo)];
     const bandRow = h("div", { class: "chart band-row" }, h("div", { class: "chart-label" }, h("div", { class: "chart-name" }, "limited by"), this.limitNow), h("div", { class: "chart-host" }, this.band));
     this.area = h("div", { class: "charts" }, ...this.charts.map((chart) => chart.row), bandRow, this.line);
-    this.element = h("div", { class: "time-view", tabindex: "0", role: "application", "aria-label": "Feed, acceleration and jerk over time. Drag or wheel to zoom, double click for all; arrow keys move the instant and zoom" }, this.area, this.note);
+    this.element = h("div", { class: "time-view", tabindex: "0", role: "application", "aria-label": "Feed, acceleration and jerk over time. Drag, wheel or two fingers to zoom, double click for all; arrow keys move the instant and zoom" }, this.area, this.note);
     this.listen();
     new ResizeObserver(() => this.build()).observe(this.area);
     store.listen((_state, change) => {
@@ -74,13 +75,17 @@ export class TimeView {
   }
 
   private listen(): void {
-    const over = (event: MouseEvent): number | null => {
+    const shareAt = (event: MouseEvent): number | null => {
       const curve = this.charts[0]!.over;
       if (!curve || !this.plan) return null;
-      const x = event.clientX - curve.getBoundingClientRect().left;
-      const share = x / curve.clientWidth;
-      return share < 0 || share > 1 ? null : this.span.from + share * (this.span.to - this.span.from);
+      const share = (event.clientX - curve.getBoundingClientRect().left) / curve.clientWidth;
+      return share < 0 || share > 1 ? null : share;
     };
+    const over = (event: MouseEvent): number | null => {
+      const share = shareAt(event);
+      return share === null ? null : this.span.from + share * (this.span.to - this.span.from);
+    };
+    listenToFingers(this.area, shareAt, () => this.span, (span) => this.zoomTo(span));
     let pressed: number | null = null;
     this.area.addEventListener("pointermove", (event) => {
       const tick = over(event);
