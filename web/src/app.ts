@@ -9,6 +9,7 @@ import { h } from "./ui/dom.ts";
 import { Header, namesOf } from "./ui/header.ts";
 import { PlayBar } from "./ui/play_bar.ts";
 import { Tabs, type Pane } from "./ui/tabs.ts";
+import { unitsNamed } from "./units.ts";
 import { AnswerView } from "./views/answer_view.ts";
 import { DifferenceView, type Named } from "./views/difference_view.ts";
 import { legendOf } from "./views/legend.ts";
@@ -60,13 +61,14 @@ export class App {
   constructor(root: HTMLElement, shown: Shown, drawing: PathDrawing | null, extras: Extras = {}) {
     this.shown = shown;
     this.extras = extras;
-    this.store = new Store({ ...initialState(), ...fromFragment(location.hash) });
-    this.address = new Address(this.store);
+    const usual = unitsNamed(shown.plans[0].header.feed_unit ?? "");
+    this.store = new Store({ ...initialState(), ...fromFragment(location.hash, usual) });
+    this.address = new Address(this.store, usual);
     const { state } = this.store;
     state.plan = Math.min(state.plan, shown.plans.length - 1);
     this.applyTheme();
     const ground = this.ground();
-    this.header = new Header(this.store);
+    this.header = new Header(this.store, extras.editing === undefined);
     // The first to hear of an instant: it asks the browser where things are, before others have changed them.
     this.program = new ProgramView(this.store, extras.editing ?? null);
     this.path = drawing && new PathView(drawing, this.store, ground);
@@ -212,7 +214,7 @@ export class App {
   // Of the shown plan from the base; while the base is shown, of the first other one.
   private showDifference(): void {
     const { plans, base } = this.shown;
-    this.tabs.setHidden("difference", plans.length < 2 && !this.extras.question);
+    this.store.state.tab = this.tabs.setHidden("difference", plans.length < 2 && !this.extras.question);
     const names = namesOf(this.shown);
     const named = (i: number): Named => ({ plan: plans[i]!, account: this.accountOf(plans[i]!), name: names[i]! });
     const other = this.store.state.plan === base ? plans.findIndex((_, i) => i !== base) : this.store.state.plan;
@@ -229,7 +231,8 @@ export class App {
   private key(event: KeyboardEvent): void {
     // Seen from outside, the target of an event in a shadow tree is its host.
     const target = event.composedPath()[0] as HTMLElement;
-    if (event.ctrlKey || event.metaKey || event.altKey || (this.extras.editing && target.isContentEditable) || /^(input|select|textarea)$/i.test(target.tagName)) return;
+    const takesText = target.matches("input:not([type=range]), select, textarea") || (this.extras.editing && target.isContentEditable);
+    if (event.ctrlKey || event.metaKey || event.altKey || takesText || document.querySelector("dialog[open]")) return;
     const actions: Record<string, () => void> = {
       " ": () => this.playBar.toggle(),
       ",": () => this.playBar.step(-1),
@@ -240,7 +243,7 @@ export class App {
       "3": () => this.path?.look("right"),
       "4": () => this.path?.look("iso"),
     };
-    const action = actions[event.key];
+    const action = actions[event.key.toLowerCase()];
     if (!action || (event.key === " " && /^(button|summary)$/i.test(target.tagName))) return;
     event.preventDefault();
     action();

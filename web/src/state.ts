@@ -1,5 +1,5 @@
 // What the views share: the plan that is shown, the present instant, how things are shown. The URL's fragment keeps it.
-import type { Units } from "./units.ts";
+import { MM_PER_MINUTE, type Units } from "./units.ts";
 
 export const COLOURS = ["feed", "limit", "acceleration", "jerk", "deviation", "tool", "following"] as const;
 export type ColourBy = (typeof COLOURS)[number];
@@ -72,7 +72,7 @@ export function initialState(): State {
     track: "path",
     span: null,
     tab: "program",
-    units: { length: "mm", time: "min" },
+    units: MM_PER_MINUTE,
     theme: "auto",
     camera: "",
     playing: false,
@@ -80,7 +80,8 @@ export function initialState(): State {
   };
 }
 
-export function toFragment(state: Readonly<State>): string {
+// usual: the units of the program that is shown first.
+export function toFragment(state: Readonly<State>, usual: Units = MM_PER_MINUTE): string {
   const words = new URLSearchParams();
   if (state.plan > 0) words.set("plan", String(state.plan + 1));
   if (state.tick > 0) words.set("tick", String(Math.round(state.tick)));
@@ -89,8 +90,8 @@ export function toFragment(state: Readonly<State>): string {
   if (state.track !== "path") words.set("track", state.track);
   if (state.span) words.set("span", state.span.map((tick) => String(Number(tick.toFixed(3)))).join(","));
   if (state.tab !== "program") words.set("tab", state.tab);
-  if (state.units.length !== "mm") words.set("length", state.units.length);
-  if (state.units.time !== "min") words.set("per", state.units.time);
+  if (state.units.length !== usual.length) words.set("length", state.units.length);
+  if (state.units.time !== usual.time) words.set("per", state.units.time);
   if (state.theme !== "auto") words.set("theme", state.theme);
   if (state.speed !== 1) words.set("speed", String(state.speed));
   if (state.camera !== "") words.set("view", state.camera);
@@ -98,7 +99,7 @@ export function toFragment(state: Readonly<State>): string {
 }
 
 // What the fragment says; what it says wrongly is left out.
-export function fromFragment(fragment: string): Change {
+export function fromFragment(fragment: string, usual: Units = MM_PER_MINUTE): Change {
   const words = new URLSearchParams(fragment.replace(/^#/, ""));
   const change: Change = {};
   const whole = (name: string): number | null => {
@@ -119,7 +120,9 @@ export function fromFragment(fragment: string): Change {
   if (span && Number(span[1]) < Number(span[2])) change.span = [Number(span[1]), Number(span[2])];
   const tab = words.get("tab");
   if (tab !== null && /^[a-z]+$/.test(tab)) change.tab = tab;
-  change.units = { length: words.get("length") === "inch" ? "inch" : "mm", time: words.get("per") === "s" ? "s" : "min" };
+  const length = (["mm", "inch"] as const).find((name) => name === words.get("length"));
+  const time = (["s", "min"] as const).find((name) => name === words.get("per"));
+  change.units = { length: length ?? usual.length, time: time ?? usual.time };
   const theme = words.get("theme");
   if (theme === "light" || theme === "dark") change.theme = theme;
   const speed = SPEEDS.find((one) => String(one) === words.get("speed"));

@@ -1,7 +1,7 @@
 // The page's address, which brings back what was seen.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { fragmentOf, openReport, pocket } from "./report.ts";
+import { fragmentOf, openReport, pocket, programFile } from "./report.ts";
 
 test("keeps the view in its address: instant, place of the eye, charts, colour, tab", async () => {
   const { page, said } = await openReport([pocket], "#tick=1000");
@@ -63,5 +63,22 @@ test("keeps the parts that are chosen in the legend and the speed of playing in 
   assert.equal(await other.page.locator(".legend.parts button.dimmed").count(), 0, "what this legend has not dims nothing");
   assert.deepEqual([...said, ...again.said, ...other.said], []);
   for (const { page: one } of [again, other]) await one.context().close();
+  await page.context().close();
+});
+
+test("a report opens in the units of its program, or of --units, and the address names others", async () => {
+  const feedUnit = async (words: readonly string[], fragment = ""): Promise<string> => {
+    const { page } = await openReport(words, fragment);
+    const name = (await page.locator(".chart-name").first().textContent())!;
+    await page.context().close();
+    return name;
+  };
+  const inch = programFile("G20 G90 F20\nG1 X1\nM2\n");
+  assert.equal(await feedUnit([inch]), "feed, in/min");
+  assert.equal(await feedUnit([inch, "--units", "mm/s"]), "feed, mm/s");
+  assert.equal(await feedUnit([inch], "#length=mm&per=s"), "feed, mm/s");
+  const { page } = await openReport([inch]);
+  await page.locator("button", { hasText: /^mm$/ }).click();
+  assert.equal(new URLSearchParams((await fragmentOf(page)).slice(1)).get("length"), "mm");
   await page.context().close();
 });

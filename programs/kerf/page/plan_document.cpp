@@ -222,6 +222,7 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     header["extents"] = {{"min_mm", record.extents->min_mm}, {"max_mm", record.extents->max_mm}};
   }
   header["has_source"] = record.source.has_value();
+  header["feed_unit"] = name_of(report.feed_unit);
   Sections sections;
   if (record.motion) {
     header["last_tick"] = record.motion->last_tick();
