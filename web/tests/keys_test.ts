@@ -113,6 +113,32 @@ test("the tabs are one stop of the Tab key, and the arrow keys go from one to th
   await page.context().close();
 });
 
+test("the keys act on the slider, too, whatever the case, but not behind the about box", async () => {
+  const { page, said } = await openReport([pocket], "#tick=20000&view=400,-300,300,40,30,0,9");
+  await page.locator(".scrub").focus();
+  await page.keyboard.press(".");
+  assert.equal(await tickOf(page), 20001);
+  await page.keyboard.press("F");
+  assert.equal(((await words(page)).get("view") ?? "9").split(",").pop() === "9", false, "fitted");
+  const label = (): Promise<string | null> => page.locator("button.play").getAttribute("aria-label");
+  await page.keyboard.press("Space");
+  assert.equal(await label(), "Pause");
+  await page.keyboard.press("Space");
+  const tick = await tickOf(page);
+  await page.locator("button", { hasText: "About" }).click();
+  await page.keyboard.press(".");
+  assert.equal(await tickOf(page), tick);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("a screen reader hears the slider's time and line, and no word for each frame", async () => {
+  const { page } = await openReport([pocket], "#tick=20000");
+  assert.equal(await page.locator(".scrub").getAttribute("aria-valuetext"), await page.locator(".instant").textContent());
+  assert.equal(await page.locator(".time-panel").locator("output, [aria-live], [role=status]").count(), 0);
+  await page.context().close();
+});
+
 test("the about box lists the keys", async () => {
   const { page } = await openReport([pocket]);
   await page.locator("button", { hasText: "About" }).click();

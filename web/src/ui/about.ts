@@ -17,12 +17,12 @@ const KEYS: readonly (readonly [where: string, key: string, does: string])[] = [
   ["on the tabs", "left, right, Home, End", "choose"],
 ];
 
-export function aboutBox(): HTMLDialogElement {
+export function aboutBox(isReport: boolean): HTMLDialogElement {
   const dialog = h("dialog", { class: "about", "aria-label": "About this page" });
   const close = h("button", { type: "button", click: () => dialog.close() }, "Close");
   dialog.append(
     h("h2", {}, "Kerf"),
-    h("p", {}, "A report of Kerf, a motion kernel for CNC machines: Apache License 2.0. It loads nothing and sends nothing; all that it shows is in this file."),
+    h("p", {}, `${isReport ? "A report" : "The playground"} of Kerf, a motion kernel for CNC machines: Apache License 2.0. It loads nothing and sends nothing; ${isReport ? "all that it shows is in this file" : "what is typed or opened stays here"}.`),
     h("h3", {}, "Keys"),
     table(["where", "key", "does"], KEYS, "keys"),
     h("h3", {}, "With"),

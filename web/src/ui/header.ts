@@ -33,7 +33,7 @@ export class Header {
   private readonly several = h("select", { "aria-label": "Program", title: "Program" });
   private readonly store: Store;
 
-  constructor(store: Store) {
+  constructor(store: Store, isReport: boolean) {
     this.store = store;
     const { state } = store;
     const length = choice("Lengths in", [["mm", "mm"], ["inch", "inch"]] as const, state.units.length, (value) => {
@@ -45,7 +45,7 @@ export class Header {
       store.set({ units: { ...state.units, time: value } }, "page");
     });
     const theme = select<Theme>("Theme", [["auto", "auto"], ["light", "light"], ["dark", "dark"]], state.theme, (value) => store.set({ theme: value }, "page"));
-    const about = aboutBox();
+    const about = aboutBox(isReport);
     const help = h("button", { type: "button", click: () => about.showModal() }, "About");
     this.several.addEventListener("change", () => store.showPlan(Number(this.several.value), "page"));
     this.element = h("header", {}, this.title, this.what, this.several, length.element, per.element, theme, help, about);

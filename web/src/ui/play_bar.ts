@@ -6,7 +6,7 @@ import { h, select } from "./dom.ts";
 
 export class PlayBar {
   readonly elements: readonly HTMLElement[];
-  private readonly instant = h("output", { class: "instant", "data-test": "instant" });
+  private readonly instant = h("span", { class: "instant", "data-test": "instant" });
   private readonly play = h("button", { type: "button", class: "play", "aria-label": "Play" }, "\u25b6");
   private readonly scrub = h("input", { type: "range", class: "scrub", min: "0", step: "1", "aria-label": "Instant" });
   private plan: Plan | null = null;
@@ -57,7 +57,9 @@ export class PlayBar {
     }
     const tick = this.store.instant;
     this.scrub.value = String(this.store.state.tick);
-    this.instant.textContent = `${clock(tick * this.plan.period_s)}, tick ${Math.round(tick)}, ${this.plan.placeAt(tick)}`;
+    const text = `${clock(tick * this.plan.period_s)}, tick ${Math.round(tick)}, ${this.plan.placeAt(tick)}`;
+    this.instant.textContent = text;
+    this.scrub.setAttribute("aria-valuetext", text);
     this.instant.dataset["tick"] = String(Math.round(tick));
   }
 

@@ -39,11 +39,11 @@ export class Tabs {
     return shown;
   }
 
-  // A tab that is not there while its pane has nothing to show.
-  setHidden(name: string, hidden: boolean): void {
-    const tab = this.buttons.get(name)!;
-    tab.hidden = hidden;
-    if (hidden && tab.tabIndex === 0) this.show("");
+  // A tab that is not there while its pane has nothing to show. Says which is shown.
+  setHidden(name: string, hidden: boolean): string {
+    this.buttons.get(name)!.hidden = hidden;
+    const shown = this.panes.find(([, , pane]) => !pane.hidden)?.[0] ?? "";
+    return hidden && shown === name ? this.show("") : shown;
   }
 
   private choose(name: string): void {

@@ -28,7 +28,7 @@ export function legendOf(colouring: Colouring, store: Store, dark: boolean, allT
       swatch.style.backgroundColor = hexOf(colour);
       return partButton({ id, label: null }, chosen, store, swatch, h("span", {}, `${name} `), h("span", { class: "soft" }, percent(ticks / Math.max(1, allTicks))));
     });
-    return h("div", { class: "legend parts", "aria-label": legend.title }, h("div", { class: "legend-title" }, legend.title), ...items);
+    return h("div", { class: "legend parts", role: "group", "aria-label": legend.title }, h("div", { class: "legend-title" }, legend.title), ...items);
   }
   const { units } = store.state;
   const { factor, unit } =
@@ -43,5 +43,5 @@ export function legendOf(colouring: Colouring, store: Store, dark: boolean, allT
   const stops = Array.from({ length: 17 }, (_, i) => hexOf(scaleColour(i / 16, dark)));
   ramp.style.backgroundImage = `linear-gradient(to right, ${stops.join(", ")})`;
   const marks = Array.from({ length: SCALE_PARTS + 1 }, (_, i) => h("span", {}, mark(i)));
-  return h("div", { class: "legend scale", "aria-label": legend.title }, h("div", { class: "legend-title" }, `${legend.title}, ${unit}`), ramp, h("div", { class: "marks" }, ...marks));
+  return h("div", { class: "legend scale", role: "group", "aria-label": legend.title }, h("div", { class: "legend-title" }, `${legend.title}, ${unit}`), ramp, h("div", { class: "marks" }, ...marks));
 }
