@@ -38,7 +38,7 @@ KernelOptions options_of(const Held& of) {
   return {.profile = {.kind = of.profile}, .one_thread = true, .start_mm = of.program.start_mm};
 }
 
-// Behind the margin from a request to its plan, an S-curve from the largest feedrate: v/A + A/J.
+// After the margin from a request to its plan, an S-curve from the largest feedrate: v/A + A/J.
 std::int64_t longest_stop_ticks() {
   constexpr double kMargin_s = 0.012;
   const MotionLimits& path = default_machine().limits.path;

@@ -24,7 +24,7 @@ struct OverLimit {
 // The largest first, second or third difference of an axis over its limit.
 OverLimit largest_over_limit(const Ticks& ticks, const lookahead::PlanLimits& limits);
 
-// Near by means along both: a tick is held against what is programmed a little before and behind
+// Near by means along both: a tick is held against what is programmed a little before and after
 // where the tick before it was, and a programmed point against the ticks that were found there.
 struct Deviation {
   double of_ticks_mm = 0.0;  // of any tick from the programmed path near by

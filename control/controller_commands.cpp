@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kMostNotes = 4;  // of one change: the other side does not change it for ever
 
-// Behind a resume: the tick side has seen the motion already, or even the next wait.
+// After a resume: the tick side has seen the motion already, or even the next wait.
 bool has_gone_on(State state) noexcept {
   return state == State::running || state == State::waiting;
 }

@@ -94,7 +94,7 @@ void Controller::Impl::begin_jog(const Jog& jog, const control::ManualMove& move
   run(move);
 }
 
-// Behind the present one, which ends early unless it is a step.
+// After the present one, which ends early unless it is a step.
 void Controller::Impl::queue_jog(const Jog& jog) {
   std::optional<Jog>& next = manual_.next;
   manual_.next_tick = seen_.ticks;

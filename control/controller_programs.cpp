@@ -52,7 +52,7 @@ tl::expected<void, Refusal> Controller::Impl::run_mdi(std::string_view line) {
   }
 }
 
-// What stands behind a wait of the line is read only once it is over. So the line is planned
+// What stands after a wait of the line is read only once it is over. So the line is planned
 // without any first. A subprogram may go elsewhere by what the machine says: it counts as it runs.
 std::unique_ptr<Kernel> Controller::Impl::kernel_of_line(std::string_view line) {
   const auto plan = [line](Kernel& kernel) {
@@ -76,7 +76,7 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_of_line(std::string_view line) 
   return kernel;
 }
 
-// A program behind programs begins as the first one; behind lines, with what they left.
+// A program after programs begins as the first one; after lines, with what they left.
 KernelOptions Controller::Impl::options_from_here(Runs what) {
   const Setpoint at = here();
   KernelOptions options = options_;
@@ -162,7 +162,7 @@ bool Controller::Impl::plan() {
   return wants_text;
 }
 
-// Behind its end, too: it may have said something there.
+// After its end, too: it may have said something there.
 bool Controller::Impl::hear_out() {
   if (!std::exchange(ran_, false)) {
     return false;

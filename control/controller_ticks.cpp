@@ -172,7 +172,7 @@ ControllerStatus Controller::Impl::status() const noexcept {
   const Published by = published_.read();
   status.overrides = by.overrides;
   status.feed_inputs = by.feed_inputs;
-  // Behind a resume it may rest for a moment, too.
+  // After a resume it may rest for a moment, too.
   status.is_held_by_feed =
       status.is_held_by_feed && (by.overrides.feed < Overrides::kLeastFeed || by.feed_inputs.stop ||
                                  by.feed_inputs.adaptive < Overrides::kLeastFeed);

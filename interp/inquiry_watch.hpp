@@ -17,7 +17,7 @@ namespace kerf::interp {
 using curves::Position;
 
 // A question of a block of the program: of its motion, which ends where the probe says, and of the
-// wait behind it; or of that alone.
+// wait after it; or of that alone.
 struct Inquiry {
   enum class Kind : std::uint8_t {
     contact,
@@ -80,7 +80,7 @@ class InquiryWatch {
   [[nodiscard]] bool must_brake() noexcept;
   void brake(const InquiryAnswer& braked) noexcept;
   [[nodiscard]] bool has_braked() const noexcept { return found_.has_braked; }
-  // A tick at rest behind it. True: there is an answer now.
+  // A tick at rest after it. True: there is an answer now.
   [[nodiscard]] bool wait(const Position& rest_mm, std::int64_t plan_tick) noexcept;
   // The machine could have answered by now.
   [[nodiscard]] bool has_heard() const noexcept { return ticks_at_rest_ > 1; }

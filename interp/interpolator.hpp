@@ -61,7 +61,7 @@ class Interpolator {
   // Removes phases that end before the next tick from the queue, to make room. True: the queue is
   // used up and the next tick needs more. The tick itself is not affected.
   bool pass_what_is_over() noexcept;
-  // The next tick lies behind the queue's end, and the machine is not asked for what follows.
+  // The next tick lies after the queue's end, and the machine is not asked for what follows.
   bool needs_plan() noexcept;
 
   // The tick of the next setpoint in the plan's time, which stands still while starved. May be read
@@ -137,7 +137,7 @@ class Interpolator {
   std::atomic<Heeded> heeded_{};
   EmergencyBrake brake_;
   InquiryWatch watch_;
-  std::int64_t pause_ticks_ = 0;  // left, behind an answer of the machine
+  std::int64_t pause_ticks_ = 0;  // left, after an answer of the machine
   bool rests_for_machine_ = false;
   bool has_phase_ = false;
   bool has_next_ = false;  // of the plan in force, when the tick looked: more may come at any time

@@ -70,7 +70,7 @@ void Interpolator::watch_probe() noexcept {
   cut_piece(s_mm + braking->length_mm);
 }
 
-// What lies behind is not run: the next curve begins there.
+// What lies after is not run: the next curve begins there.
 void Interpolator::cut_piece(double s_end_mm) noexcept {
   auto* line = std::get_if<curves::Line>(&piece_.geometry);
   if (line != nullptr && piece_.curve == phase_.curve && s_end_mm > 0.0 &&
@@ -80,7 +80,7 @@ void Interpolator::cut_piece(double s_end_mm) noexcept {
   }
 }
 
-// At rest. True: the program waits here for the machine, or for the plan behind its answer.
+// At rest. True: the program waits here for the machine, or for the plan after its answer.
 bool Interpolator::waits_for_machine() noexcept {
   const Inquiry* question = question_here();
   if (question != nullptr && watch_.wait(now_.position_mm, plan_tick())) {

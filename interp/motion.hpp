@@ -74,8 +74,8 @@ struct Phase {
 struct Takeover {
   std::uint32_t from = 0;  // the plan that it replaces
   std::uint32_t plan = 0;
-  std::int64_t tick = 0;         // the first at or behind their begin
-  std::uint32_t phases_end = 0;  // MotionQueue::phases_pushed() behind its phases to the rest
+  std::int64_t tick = 0;         // the first at or after their begin
+  std::uint32_t phases_end = 0;  // MotionQueue::phases_pushed() after its phases to the rest
 };
 
 // A way to rest for a tick by which nothing else has come: the planning thread is late.
@@ -84,7 +84,7 @@ struct StopAhead {
 
   std::uint32_t from = 0;
   std::uint32_t plan = 0;
-  std::int64_t tick = 0;  // the first at or behind its begin
+  std::int64_t tick = 0;  // the first at or after its begin
   std::size_t count = 0;
   std::array<Phase, kPhases> phases{};
 };

@@ -15,12 +15,12 @@ namespace kerf::interp {
 
 // Wait-free rings of fixed size, for one producing and one consuming thread. Push a phase after the
 // piece that it begins on and after the line changes up to there; it counts once it is committed.
-// Phases of a plan that takes over stand behind those that they replace.
+// Phases of a plan that takes over stand after those that they replace.
 //
 // The queued motion need not end at rest. A way to rest may be committed with it, and the consumer
 // takes it at its tick if no other has come by then. One word decides: the producer's commit and
-// the consumer's take exchange it, and whichever comes second fails: a commit behind a take, and a
-// take behind a commit that replaced the stop. What was pushed by a producer that lost is passed
+// the consumer's take exchange it, and whichever comes second fails: a commit after a take, and a
+// take after a commit that replaced the stop. What was pushed by a producer that lost is passed
 // over.
 class MotionQueue {
  public:

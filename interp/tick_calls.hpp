@@ -18,7 +18,7 @@ class TickCalls {
     Call(const Call&) = delete;
     Call& operator=(const Call&) = delete;
 
-    // tell() came before this call, and behind the one before.
+    // tell() came before this call, and after the one before.
     [[nodiscard]] bool has_news() const noexcept { return has_news_; }
 
    private:

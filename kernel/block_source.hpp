@@ -27,7 +27,7 @@ using ProgramItem = std::variant<BlockItem, parser::Move, ProgramEnd>;
 
 // Reads the next item when it is asked for it. With `reads_apart` another thread reads ahead, and
 // next() gives what it has read; path() is for that thread then, until next() has given the end.
-// The motion of a probe comes together with the question behind it, for it is planned with that.
+// The motion of a probe comes together with the question after it, for it is planned with that.
 class BlockSource {
  public:
   struct Order {

@@ -152,7 +152,7 @@ void Delivery::send_changes_before(const interp::Phase& phase) {
   }
 }
 
-// Pieces and lines may wait for a long time, behind a curve of more of them than a ring holds.
+// Pieces and lines may wait for a long time, after a curve of more of them than a ring holds.
 void Delivery::forget_sent() {
   if (phases_sent_ == outbox_.phases.size()) {
     outbox_.phases.clear();

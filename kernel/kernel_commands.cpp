@@ -58,7 +58,7 @@ bool Kernel::Impl::holds_at_wait() const noexcept {
 }
 
 void Kernel::Impl::follow_commands() {
-  // Read once: right behind the plan the tick side may take its stop ahead.
+  // Read once: right after the plan the tick side may take its stop ahead.
   const interp::PlanInForce::Answer answer = interpolator_.answer();
   if (takeover_ && answer.plan == takeover_->plan) {
     settle(answer.in_force == takeover_->plan);

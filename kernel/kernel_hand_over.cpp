@@ -56,7 +56,7 @@ void Kernel::Impl::commit_up_to(std::int64_t until) {
   if (commit_with_stop(earliest)) {
     return;
   }
-  // Within a ramp that takes all of the acceleration there may be none, and behind it there is.
+  // Within a ramp that takes all of the acceleration there may be none, and after it there is.
   tick = until + 1;
   for (std::int64_t step = margin_ticks_; tick < emitted && !commit_with_stop(tick);) {
     tick += step *= 2;

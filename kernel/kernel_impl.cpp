@@ -77,7 +77,7 @@ void Kernel::Impl::follow_tool() {
                  .feed_is_0 = overrides_.feed == 0.0});
 }
 
-// Where the tool rests and nothing was planned yet, a message would come behind the wait that is
+// Where the tool rests and nothing was planned yet, a message would come after the wait that is
 // planned now. So it is told first, and the next call hands over.
 bool Kernel::Impl::announces_now() {
   if (!keeps_stop_ || !notes_.has_more_to_say() || committed_until_tick_ > now()) {
@@ -100,7 +100,7 @@ bool Kernel::Impl::set_tool(const Tool& tool) {
   return true;
 }
 
-// A program that was stopped, or ended before an error, is behind what was read.
+// A program that was stopped, or ended before an error, is after what was read.
 ProgramState Kernel::Impl::state_left() const {
   const parser::ProgramReader& reader = pipeline_.path().reader();
   if (has_come_to_end()) {
@@ -196,7 +196,7 @@ TickStatus Kernel::Impl::status_at_wait() const noexcept {
                                                             : TickStatus::waiting;
 }
 
-// At a hold or a wait that is over by the plan, which has nothing behind it.
+// At a hold or a wait that is over by the plan, which has nothing after it.
 bool Kernel::Impl::rests_behind_wait(TickStatus status) const noexcept {
   const std::uint32_t wait = interpolator_.wait();
   return status == TickStatus::held || (status == TickStatus::running && wait != 0 &&

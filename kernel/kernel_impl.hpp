@@ -22,7 +22,7 @@
 namespace kerf {
 
 // Planning: text becomes a plan as far as the horizon, and what is in the queue is committed to the
-// tick side. With a planning thread each commit brings a way to rest behind it (hand_over), so the
+// tick side. With a planning thread each commit brings a way to rest after it (hand_over), so the
 // tick side never runs out of plan; if it has taken that way, planning goes on from its rest
 // (follow_stop_ahead). A hold or a stop is a plan that takes over from the present one some
 // milliseconds later (try_hold, try_change_plan); the tick side answers whether it came in time
@@ -184,7 +184,7 @@ class KERF_LOCAL Kernel::Impl {
 
   // What is in the queue, to the tick side.
   void hand_over();
-  // What was just planned, before the end of plan(), where no way to rest is kept behind it.
+  // What was just planned, before the end of plan(), where no way to rest is kept after it.
   void hand_on();
 
   // With a way to rest from there or near it, if there is one.
@@ -268,7 +268,7 @@ class KERF_LOCAL Kernel::Impl {
   bool holds_ = false;        // the operator asked for it; a feed override of 0 is not among this
   bool stops_ = false;        // each hold is a stop
   bool has_stopped_ = false;  // what is planned ends the program: no other stop comes
-  bool rests_for_text_ = false;  // the plan ends at rest behind all that was read
+  bool rests_for_text_ = false;  // the plan ends at rest after all that was read
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   bool wants_change_ = false;

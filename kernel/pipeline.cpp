@@ -71,7 +71,7 @@ bool Pipeline::take_next() {
     } else if (const auto* pause = std::get_if<parser::Move>(&*item)) {
       push_rest(*pause);
     }
-    // Nothing of a probe's motion is planned before the wait behind it is known.
+    // Nothing of a probe's motion is planned before the wait after it is known.
     probes = std::holds_alternative<BlockItem>(*item) && asking_ == Asking::motion_follows;
     if (auto* motion = std::get_if<BlockItem>(&*item)) {
       push_block(std::move(*motion));
@@ -148,7 +148,7 @@ void Pipeline::follow(const interp::InquiryAnswer& answer) {
                                              .place_mm = answer.place_mm,
                                              .rest_mm = answer.rest_mm});
   if (finished_) {
-    return;  // a stop has come right behind the answer
+    return;  // a stop has come right after the answer
   }
   planner_.push_rest(
       static_cast<double>(inquiry_.pause_ticks) * period_s_,

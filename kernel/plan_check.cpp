@@ -209,7 +209,7 @@ void PlanCheck::begin_block(const interp::Phase& phase) {
   begun_ = true;
   s_mm_ = 0.0;
   if (phase.curve != curve_ + 1 || phase.path_begin_mm != path_mm_) {
-    fail(phase.line, "block " + std::to_string(phase.curve) + " is planned behind block " +
+    fail(phase.line, "block " + std::to_string(phase.curve) + " is planned after block " +
                          std::to_string(curve_) + ", at " + to_text(phase.path_begin_mm) +
                          " mm of the path where " + to_text(path_mm_) + " mm are planned");
   }
@@ -221,7 +221,7 @@ void PlanCheck::check(const interp::Phase& phase) {
     leave_block();
   }
   if (is_empty()) {
-    fail(phase.line, "motion is planned behind the last block");
+    fail(phase.line, "motion is planned after the last block");
     return;
   }
   if (!begun_) {

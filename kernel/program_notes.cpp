@@ -101,7 +101,7 @@ void ProgramNotes::reach(std::uint64_t block) {
   tell_state();
 }
 
-// What stands behind the last motion counts, too.
+// What stands after the last motion counts, too.
 void ProgramNotes::reach_end(const parser::ModalState& left) {
   announce(std::numeric_limits<std::uint64_t>::max());
   ahead_.clear();

@@ -45,11 +45,11 @@ class ProgramNotes final : public PipelineObserver {
 
   // Those of the blocks that were reached since the last call.
   std::vector<ProgramMessage> take_messages();
-  // "G1 G17 G21 ...", behind the words of the block that was reached.
+  // "G1 G17 G21 ...", after the words of the block that was reached.
   [[nodiscard]] const std::string& codes() const noexcept { return codes_; }
   // "F600 S9000 T1", of the same block.
   [[nodiscard]] const std::string& words() const noexcept { return words_; }
-  // Behind the same words; nothing: there are none yet.
+  // After the same words; nothing: there are none yet.
   [[nodiscard]] const std::optional<parser::ModalState>& state() const noexcept { return state_; }
   [[nodiscard]] const TimeLeft& time_left() const noexcept { return time_left_; }
 

@@ -35,7 +35,7 @@ class ProgramPath {
 
   ProgramPath(const MachineSettings& settings, const KernelOptions& options, const Order& order);
 
-  // Behind the program's end or an error nothing is read.
+  // After the program's end or an error nothing is read.
   void feed(std::string_view text) {
     if (!ended_) {
       reader_.feed(text);
@@ -118,7 +118,7 @@ class ProgramPath {
   WaitCheck waits_;
   smoothing::Smoother smoother_;
   std::optional<StartInMiddle> start_;  // until its block comes
-  std::deque<Output> way_to_start_;     // and the first output behind it
+  std::deque<Output> way_to_start_;     // and the first output after it
   bool way_asks_ = false;               // the machine, which has not answered
   std::vector<PathControlUse> path_controls_;
   PlaceOfTool end_{};                   // of the move read last

@@ -14,7 +14,7 @@
 
 namespace kerf {
 
-// The time in which what follows an answer of the machine is planned: the motion goes on behind it,
+// The time in which what follows an answer of the machine is planned: the motion goes on after it,
 // however long the planning took within it, so that every run has the same ticks.
 inline constexpr double kPauseBehindAnswer_s = 0.05;
 // At rest the machine is asked a tick later, and what it says is there at the next one.

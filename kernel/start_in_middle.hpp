@@ -48,7 +48,7 @@ class StartInMiddle {
  public:
   using Output = smoothing::Smoother::Output;
 
-  // answers: as of the run, which waits for the spindle behind a start of its own, too.
+  // answers: as of the run, which waits for the spindle after a start of its own, too.
   StartInMiddle(const StartInProgram& start, const MachineSettings& settings,
                 parser::MachineSource answers, const PlaceOfTool& tool);
 

@@ -19,7 +19,7 @@ WorkBox::Frame WorkBox::frame_of(const parser::Coordinates& coordinates) {
 
 void WorkBox::look_at(const parser::ProgramReader& reader, const parser::Move& move,
                       const std::optional<Extents>& box, CheckReport& report) {
-  // Cutter compensation gives moves behind the blocks that they come from.
+  // Cutter compensation gives moves after the blocks that they come from.
   if (const Frame frame = frame_of(reader.modal_state().coordinates); frame != now_ || read_ == 0) {
     before_ = read_ == 0 ? frame : now_;
     now_ = frame;

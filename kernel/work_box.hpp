@@ -30,7 +30,7 @@ class WorkBox {
 
   Frame before_{};  // of blocks up to this one, which were held back
   Frame now_{};
-  std::uint64_t begin_ = 0;  // of the present one: blocks behind this one
+  std::uint64_t begin_ = 0;  // of the present one: blocks after this one
   std::uint64_t read_ = 0;
 };
 

@@ -30,7 +30,7 @@ class EventTime {
  private:
   double tool_change_s_;
   double spindle_start_s_;
-  bool turns_;  // the spindle, behind the latest event
+  bool turns_;  // the spindle, after the latest event
 };
 
 }  // namespace kerf::lookahead

@@ -52,7 +52,7 @@ std::vector<EmittedItems::Motion> motions_to_stop_from(const Emitter& emitter, s
   return motions;
 }
 
-// A rest begins for all that follows at the tick behind it.
+// A rest begins for all that follows at the tick after it.
 std::int64_t rest_tick(const PlanStop& stop, double period_s) {
   PlanClock clock(period_s);
   clock.set(stop.from.when);

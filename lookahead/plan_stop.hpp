@@ -26,13 +26,13 @@ struct StopOrder {
   IsLate is_late = never_late;  // of the shortest
 };
 // From the tick on or some ticks later; or at the rest of the plan itself, if that is as near.
-// ahead: the blocks, whole, behind those that were emitted, up to a rest. Nothing: no way was
+// ahead: the blocks, whole, after those that were emitted, up to a rest. Nothing: no way was
 // found, and the plan was emitted to no rest. Precondition: the emitter keeps what it emits, and
 // has emitted to the tick or to a rest.
 std::optional<PlanStop> find_stop(const Emitter& emitter, const std::vector<const Block*>& ahead,
                                   const StopOrder& order, const PlanLimits& limits);
 
-// ahead: the items behind those that are emitted; those that end on the way go. No parts: it is at
+// ahead: the items after those that are emitted; those that end on the way go. No parts: it is at
 // rest already. Keeps all phases but the last, which may change yet. The outbox is empty before.
 void emit_stop(const std::vector<BrakingPart>& parts, std::deque<Item>& ahead, Emitter& emitter,
                Outbox& outbox);

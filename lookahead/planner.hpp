@@ -42,7 +42,7 @@ struct PlannerSettings {
   std::shared_ptr<const PlanObserver> observer{};  // null: nobody is told
 };
 
-// Behind a rest that is farther nothing is planned yet that takes over there: nothing else could be
+// After a rest that is farther nothing is planned yet that takes over there: nothing else could be
 // asked for before the tool has come to it.
 inline constexpr double kFarRest_s = 0.02;
 
@@ -95,7 +95,7 @@ class Planner {
   // Plans everything pushed so far to a rest. Call it when the next move is late.
   void plan_to_rest();
   // A feed hold; where the tool rests and waits for the machine, and within a tap, it is refused:
-  // ask again behind that. A new plan that takes over at the tick or some ticks later and comes to
+  // ask again after that. A new plan that takes over at the tick or some ticks later and comes to
   // rest as soon as the order has it, or at the rest of the present plan if that is as near. The
   // outbox, which is empty before, gets its phases, and what they begin on; none where the program
   // has ended by then, or waits() at the rest of the present plan. What follows waits for resume().
@@ -112,7 +112,7 @@ class Planner {
     return is_held_by_feed() && !stopped_feed_.stops(*held_->by_feed);
   }
   // As hold(), because the feed stops: what was emitted and follows it, or the motion that begins
-  // so behind a rest that is near. False as well where there is none; stop_feed() sees to all that
+  // so after a rest that is near. False as well where there is none; stop_feed() sees to all that
   // is not emitted yet.
   bool hold_feed(const StopOrder& order, Outbox& outbox);
   // The end of what was emitted before the plan that is to take over is lost: it is no way to rest.
@@ -136,7 +136,7 @@ class Planner {
   // Precondition: settle().
   Outbox follow_stop_ahead(const PlannedStopAhead& taken);
   // The tick side has braked the motion of a probe, at the tick, along the laws, as a plan of that
-  // number, and rests. What was left of the block is dropped, and the wait for the machine behind
+  // number, and rests. What was left of the block is dropped, and the wait for the machine after
   // it is over. The phases, for the record, without those of the rest. Precondition: settle().
   struct ProbeStop {
     std::int64_t tick = 0;
@@ -152,7 +152,7 @@ class Planner {
   // nothing was emitted that could change. Precondition: as hold(), but that it may be held.
   struct PlanChange {
     FeedOverride by{};
-    // The tool rests and waits at the junction behind each block of the program; a curve that
+    // The tool rests and waits at the junction after each block of the program; a curve that
     // stands for several is one.
     bool single_block = false;
     std::int64_t tick = 0;
@@ -234,7 +234,7 @@ class Planner {
   static bool is_step(const Item& item);
   [[nodiscard]] bool steps_before(const Item& next) const;
   void end_with_step();
-  // Of what waits: a wait behind the first block of the program that ends with this item or later.
+  // Of what waits: a wait after the first block of the program that ends with this item or later.
   void step_behind(std::size_t item);
   void forget_steps();
   // The limits of what waits, from this one on.
@@ -260,7 +260,7 @@ class Planner {
   void return_to_profile(const interp::Phase& phase);
   // Those of the change, for what waits.
   void take_modes(const PlanChange& change);
-  // False: there is no motion, or no way to rest behind it.
+  // False: there is no motion, or no way to rest after it.
   bool emit_first_part(const PlanChange& change, ChangedPlan& changed, Outbox& outbox);
   // Of the blocks that wait, those on which the motion may be faster than they allow: how many.
   std::size_t let_slow_down(const OptimumSchedule::Begin& from);
@@ -295,7 +295,7 @@ class Planner {
   bool asks_machine_ = false;  // what it waits for, if it does
   std::uint32_t waits_emitted_ = 0;
   PlanWaits waits_pushed_{};
-  EventTime event_time_;  // behind what was pushed
+  EventTime event_time_;  // after what was pushed
   bool stops_ = false;    // at the rest of the plan that is not settled yet
   // The place in the program of what was taken last, or the tool is on; nothing: none, or it
   // was taken back.
@@ -308,7 +308,7 @@ class Planner {
   struct Before {
     Emitter emitter;
     std::deque<Item> changing;           // the first that waited
-    std::size_t others = 0;              // that waited behind them
+    std::size_t others = 0;              // that waited after them
     std::unique_ptr<Schedule> schedule;  // its end takes time, and the plan may be urgent
     bool waits = false;
     std::uint32_t waits_emitted = 0;
@@ -324,9 +324,9 @@ class Planner {
   bool single_block_ = false;
   // A curve that stands for several lines counts as the first of them, so a block ends with it.
   static ProgramPlace place_of(const Item& item);
-  // Nothing: behind a wait none is needed.
+  // Nothing: after a wait none is needed.
   static std::optional<ProgramPlace> place_behind(const Item& item);
-  // Behind what was emitted.
+  // After what was emitted.
   [[nodiscard]] std::optional<ProgramPlace> place_emitted() const;
   static Rest step_at_end_of(const ProgramPlace& place);
   static bool is_same_block(const ProgramPlace& before, const ProgramPlace& after);

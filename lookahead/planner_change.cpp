@@ -120,7 +120,7 @@ void Planner::go_on_from_rest(const std::vector<BrakingPart>& parts, const PlanC
   }
 }
 
-// What was planned behind it is dropped.
+// What was planned after it is dropped.
 void Planner::go_back(const Emitter& emitter, const std::deque<Item>& waiting) {
   empty_window();
   emitter_ = emitter;
@@ -172,8 +172,8 @@ bool Planner::emit_first_part(const PlanChange& change, ChangedPlan& changed, Ou
   return false;
 }
 
-// Ticks see a jump of direction or curvature behind the motion as long as it is near: what is left
-// of a block is planned with a little of the way behind, or the whole block with the one before it.
+// Ticks see a jump of direction or curvature after the motion as long as it is near: what is left
+// of a block is planned with a little of the way after, or the whole block with the one before it.
 // Where the way to rest goes over more blocks than there may be cells, the motion rests.
 bool Planner::begin_in_motion(InMotion from) {
   if (waiting_.empty() || !std::holds_alternative<Block>(waiting_.front()) ||

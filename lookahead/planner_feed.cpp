@@ -57,7 +57,7 @@ bool Planner::hold_feed(const StopOrder& order, Outbox& outbox) {
   return true;
 }
 
-// Where a rest of the plan is as near as any other, it counts what begins behind that.
+// Where a rest of the plan is as near as any other, it counts what begins after that.
 std::optional<PlanStop> Planner::feed_stop_by(const StopOrder& order) const {
   const std::int64_t tick = order.tick;
   const EmittedItems& kept = emitter_.kept();

@@ -46,7 +46,7 @@ bool Planner::hold(const StopOrder& order, Outbox& outbox) {
   return stop && may_hold_at(stop->from) && hold_at(*stop, outbox);
 }
 
-// Behind a tap the tool may rest at the end of its last motion.
+// After a tap the tool may rest at the end of its last motion.
 bool Planner::may_hold_at(const EmittedItems::Motion& motion) const {
   if (motion.phase.follows_hold) {
     return true;

@@ -173,7 +173,7 @@ Quadratic depth_along(const HeightMap& map, const GridCell& cell, const TipWay& 
           .c2 = h[3] * step[0] * step[1]};
 }
 
-// The share of the way at which it next crosses a line of the grid, behind `t`.
+// The share of the way at which it next crosses a line of the grid, after `t`.
 double next_line(const HeightMap& map, const TipWay& way, double t) noexcept {
   double next = 1.0;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -203,7 +203,7 @@ double begin_over(const HeightMap& map, const TipWay& way) noexcept {
   return std::max(inside_from(outline, way).begin, 0.0);
 }
 
-// Where the depth changes its sign within a part of the way; never: it does not. Behind another
+// Where the depth changes its sign within a part of the way; never: it does not. After another
 // cell it may have done so at the line between them.
 double change_within(const ShareInside& part, const Quadratic& depth, double sign) noexcept {
   if (part.begin > 0.0 && sign * depth.at(part.begin) > 0.0) {

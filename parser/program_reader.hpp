@@ -54,7 +54,7 @@ class ProgramReader {
   // the block of its number. Where there are more than kMaxMessages, the first of them.
   [[nodiscard]] const std::vector<NumberedMessage>& messages() const;
 
-  // What is in force behind the block that was read last. The reference is good until next().
+  // What is in force after the block that was read last. The reference is good until next().
   [[nodiscard]] const ModalState& modal_state() const;
   // What is left to the next program, with `modal` in force; nothing: what was read last is. After
   // M2, M30 or a closing % the codes are what LinuxCNC makes of them there.
@@ -64,7 +64,7 @@ class ProgramReader {
 
   // True once the program's end was met: M2, M30, the closing % or the last byte.
   [[nodiscard]] bool at_end() const;
-  // Those of what runs: what is said of text behind the program's end is in diagnostics() alone.
+  // Those of what runs: what is said of text after the program's end is in diagnostics() alone.
   [[nodiscard]] bool has_errors() const;
   // Bytes of program text held because it may be read again; 0 for a program without flow.
   [[nodiscard]] std::size_t held_bytes() const;

@@ -8,7 +8,7 @@ namespace kerf::smoothing {
 
 namespace {
 
-constexpr std::size_t kAhead = 24;           // of them, behind which corners are known
+constexpr std::size_t kAhead = 24;           // of them, after which corners are known
 constexpr std::size_t kLongestLine = 65536;  // in lines of the program
 constexpr double kShortestLine = 0.25;       // of the tolerance
 

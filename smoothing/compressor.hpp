@@ -83,12 +83,12 @@ class Compressor {
 
   RunCurves curves_;
   Polyline run_;                 // from where it has not left yet
-  std::optional<Vertex> short_;  // behind it: the end of lines too short to be of the path
+  std::optional<Vertex> short_;  // after it: the end of lines too short to be of the path
   std::vector<curves::Position> left_out_;  // since the run's last vertex
   std::size_t scanned_ = 0;                 // vertices up to here are no corners
   std::size_t straight_ = 0;         // up to here the run is straight; 0: it is not known to be
   std::size_t awaited_ = kWindow;    // vertices before the next look
-  std::vector<std::size_t> breaks_;  // of the last window, behind what has left
+  std::vector<std::size_t> breaks_;  // of the last window, after what has left
   std::optional<SplineTail> tail_;   // the run's front has left as a spline
 };
 

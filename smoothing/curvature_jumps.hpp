@@ -33,7 +33,7 @@ void append_cut(const PathSegment& segment, const std::vector<double>& at_mm,
 
 // Points of a curve as a run of short lines.
 struct SampledCurve {
-  std::vector<curves::Position> points_mm;  // behind its begin; the last is its end
+  std::vector<curves::Position> points_mm;  // after its begin; the last is its end
   double beside_mm = 0.0;                   // the curve's distance from the lines, at the most
 };
 

@@ -66,7 +66,7 @@ void OutputChanges::cut(PathSegment segment, std::vector<PathSegment>& out) {
   };
   const double length_mm = curves::length_mm(segment.curve);
   std::vector<Place> places{{}};
-  // Also of moves that have no mark of their own. Behind the end there are marks of what a blend
+  // Also of moves that have no mark of their own. After the end there are marks of what a blend
   // took.
   const auto look = [&](const LineMark& mark) {
     if (mark.s_mm > 0.0 && mark.s_mm >= length_mm) {

@@ -10,7 +10,7 @@
 
 namespace kerf::smoothing {
 
-// A change comes where the move behind it begins, which may be within a run of merged lines or in a
+// A change comes where the move after it begins, which may be within a run of merged lines or in a
 // blended corner. The path is made as if there were none; then its segments are cut at those
 // places.
 class OutputChanges {

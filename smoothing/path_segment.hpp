@@ -57,7 +57,7 @@ struct PathSegment {
   std::vector<parser::EventMove> changes{};
   // Direction and curvature go on from the segment before, by construction.
   bool continues = false;
-  // Of the curve in a corner: parser::Move::block of the move behind it, which it leads into. 0: it
+  // Of the curve in a corner: parser::Move::block of the move after it, which it leads into. 0: it
   // is none.
   std::uint64_t corner_block = 0;
 

@@ -18,7 +18,7 @@ void shift_marks(PathSegment& segment, double by_mm) {
   marks.resize(kept);
 }
 
-// At w the blend is way (1 - w)^3 before the corner and way w^3 behind it. It passes the corner at
+// At w the blend is way (1 - w)^3 before the corner and way w^3 after it. It passes the corner at
 // 1 / 2, where that is an eighth of the way: marks nearer to the corner are looked for from there.
 std::vector<LineMark> marks_along(const Blend& blend, double way_mm, const PathSegment& before,
                                   const PathSegment& after) {

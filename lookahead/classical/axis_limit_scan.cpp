@@ -212,7 +212,7 @@ double between(double s0, double v0, double s1, double v1, double s) {
   return s1 > s0 ? v0 + (v1 - v0) * (s - s0) / (s1 - s0) : std::min(v0, v1);
 }
 
-// At a place; after: the limit curve's first sample behind that.
+// At a place; after: the limit curve's first sample after that.
 FeedSample sample_at(double s_mm, const VelocityLimitCurve& limit_curve, std::size_t after) {
   after = std::min(after, limit_curve.size() - 1);
   const FeedSample& next = limit_curve[after];

@@ -68,7 +68,7 @@ class Instants {
             .j_after_mm_s3 = motion.j_mm_s3};
   }
   void add(double t_s) { all_.push_back(instant(t_s)); }
-  // A few behind all others that are in order.
+  // A few after all others that are in order.
   void sort() {
     const auto earlier = [](const Instant& a, const Instant& b) { return a.t_s < b.t_s; };
     auto next = std::is_sorted_until(all_.begin(), all_.end(), earlier);

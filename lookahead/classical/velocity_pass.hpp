@@ -70,7 +70,7 @@ class BlockRuns {
 
   // Of each segment, from rest to rest.
   std::vector<double> rest_to_rest_s(const std::vector<VelocitySegment>& segments);
-  // Of each, where lines come behind the block, and in front of it unless it begins at rest, on
+  // Of each, where lines come after the block, and in front of it unless it begins at rest, on
   // which the tool has the feedrates that the block's ends allow; each line, up to a rest, counts
   // to the segment beside it.
   std::vector<double> in_motion_s(const std::vector<VelocitySegment>& segments,

@@ -60,7 +60,7 @@ double reach_backward_mm_s(const VelocitySegment& segment, const BackwardQuery& 
 
 // The ends <= cap and <= v_end that take the least time at about their mean feedrate. Where a part
 // at constant velocity takes much of the segment, a slower end lets it begin faster, and costs time
-// behind it.
+// after it.
 SegmentEnds ends_backward(const VelocitySegment& segment, const BackwardQuery& query,
                           const profiles::Profile& profile);
 

@@ -36,7 +36,7 @@ void EmittedItems::add(const interp::Phase& phase) {
 }
 
 // The last phase stays: the motion rests at its end for as long as nothing follows. So does the
-// item before the oldest phase: how its end is passed bounds the motion behind it.
+// item before the oldest phase: how its end is passed bounds the motion after it.
 void EmittedItems::forget_before(std::int64_t tick) {
   while (phases_.size() > 1 && phases_[1].begin.tick + 1 < tick) {
     const std::uint64_t next = phase_count_ - phases_.size() + 1;
@@ -73,7 +73,7 @@ std::optional<EmittedItems::Motion> EmittedItems::at(std::int64_t tick) const {
     if (phase.ends_at_rest) {
       found.v_mm_s = found.a_mm_s2 = 0.0;
     } else {
-      found.when = end_of(phase);  // in motion, nothing is known behind it
+      found.when = end_of(phase);  // in motion, nothing is known after it
     }
   }
   return found;
@@ -122,7 +122,7 @@ interp::TickTime EmittedItems::end_of(const interp::Phase& phase) const {
           .offset_s = std::max(offset_s - static_cast<double>(whole) * period_s_, 0.0)};
 }
 
-// What ends so close behind the next begins there: the clock rounds to ticks.
+// What ends so close after the next begins there: the clock rounds to ticks.
 bool EmittedItems::is_cut_short(std::size_t i) const {
   const interp::TickTime end = end_of(phases_[i]);
   return since_s(phases_[i + 1].begin, end.tick) + end.offset_s > 10.0 * kTickRounding * period_s_;

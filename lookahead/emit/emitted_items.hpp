@@ -30,10 +30,10 @@ struct Rest {
   std::optional<interp::OutputChange> change{};
 };
 
-// What a program is made of behind the smoothing, in its order. Blocks are whole.
+// What a program is made of after the smoothing, in its order. Blocks are whole.
 using Item = std::variant<Block, Rest>;
 
-// Where emission stands: on a block, or behind an item.
+// Where emission stands: on a block, or after an item.
 struct EmitPlace {
   std::uint64_t curve = 0;
   bool on_block = false;       // a phase of the block has been emitted
@@ -78,7 +78,7 @@ class EmittedItems {
   [[nodiscard]] std::optional<Motion> at(std::int64_t tick) const;
   struct Ticks {
     std::int64_t begin = 0;
-    std::int64_t end = 0;  // behind the last
+    std::int64_t end = 0;  // after the last
   };
   // Within a tick it may have left a rest already.
   [[nodiscard]] bool ends_at_rest() const { return phases_.empty() || phases_.back().ends_at_rest; }
@@ -86,7 +86,7 @@ class EmittedItems {
   [[nodiscard]] bool ends_following_hold() const {
     return phases_.empty() || phases_.back().follows_hold;
   }
-  // It rests, and nothing was emitted behind it.
+  // It rests, and nothing was emitted after it.
   [[nodiscard]] bool is_last(const Motion& motion) const {
     return motion.at_rest() && motion.number + 1 >= phase_count_ &&
            end_tick(motion.phase) <= motion.when.tick;
@@ -97,7 +97,7 @@ class EmittedItems {
   }
   // Where the phases end that end within the ticks.
   [[nodiscard]] std::vector<Motion> ends_within(const Ticks& ticks) const;
-  // Where the phases behind the motion end, on their curves, at most so many.
+  // Where the phases after the motion end, on their curves, at most so many.
   struct CurvePlace {
     std::uint64_t curve = 0;
     double s_mm = 0.0;
@@ -117,7 +117,7 @@ class EmittedItems {
   };
   [[nodiscard]] Blocks blocks_from(const Motion& motion) const;
 
-  // The rest at the tick or later behind which the first motion begins for which `stops` holds, of
+  // The rest at the tick or later after which the first motion begins for which `stops` holds, of
   // the rest and the motion. Nothing: there is none.
   using Stops = std::function<bool(const interp::Phase& rest, const interp::Phase& begins)>;
   [[nodiscard]] std::optional<Motion> rest_before(std::int64_t tick, const Stops& stops) const;
@@ -127,7 +127,7 @@ class EmittedItems {
   }
 
   // Takes back what follows the motion. The items go to the front of `ahead`, which
-  // begins with the item that has not ended, if there is one; present: the place behind all. A
+  // begins with the item that has not ended, if there is one; present: the place after all. A
   // dwell is parted there.
   struct TakenBack {
     EmitPlace begin{};    // of the first item
@@ -145,7 +145,7 @@ class EmittedItems {
 
   // The motion rested before it.
   [[nodiscard]] bool is_behind_rest(const Entry& entry) const;
-  // The motion is in a rest of no item behind it.
+  // The motion is in a rest of no item after it.
   [[nodiscard]] static bool is_behind(const Entry& entry, const Motion& motion) noexcept {
     return entry.first_phase < motion.number;
   }

@@ -11,7 +11,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-// A rest that ends this close behind a tick ends on it: rounding of sums of durations.
+// A rest that ends this close after a tick ends on it: rounding of sums of durations.
 constexpr double kTickRounding = 1e-9;
 
 }  // namespace

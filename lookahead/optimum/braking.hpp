@@ -32,7 +32,7 @@ struct BrakingFrom {
   std::vector<Place> ends{};
 };
 
-// The way behind a junction on which its jump is seen.
+// The way after a junction on which its jump is seen.
 inline double junction_zone_mm(const StartState& motion, const PlanLimits& limits) {
   constexpr double kTicks = 4.0;
   return kTicks * limits.period_s * motion.v_mm_s;

@@ -18,7 +18,7 @@ constexpr std::array kProfilesOnCurves{profiles::ProfileKind::s_curve, profiles:
 // Where the S-curve takes so many times as long as the search's plan, the others are hardly faster
 // than that plan, and asking them is dear.
 constexpr double kFarBehind = 1.08;
-// What is less of a lead may be lost again behind the blocks that are looked at.
+// What is less of a lead may be lost again after the blocks that are looked at.
 constexpr double kLead = 1.0 - 1e-3;
 
 bool axes_are_unbounded(const PlanLimits& limits) {

@@ -82,7 +82,7 @@ void OptimumSchedule::fall_back(const Fallback& fallback, const Window<Block>& b
 }
 
 // The search may fail on a few cells close to the rest where it begins. The cuts come nearer to
-// them, and behind the last one the motion goes on to where it would have gone.
+// them, and after the last one the motion goes on to where it would have gone.
 FoundPlan OptimumSchedule::search_with_cut(FoundPlan found, const WindowSearch& search,
                                            const Window<Block>& blocks, Emitter& emitter) {
   std::optional<std::size_t> rest;

@@ -86,7 +86,7 @@ class Steps {
     std::size_t index = 0;  // of the cell
   };
 
-  // Nothing: it lies behind what is known.
+  // Nothing: it lies after what is known.
   [[nodiscard]] std::optional<Place> at(double s_mm) const {
     const auto place = way_->place_at({.way_mm = s_mm, .from = cell_});
     if (!place) {

@@ -30,7 +30,7 @@ class WayAhead {
     std::size_t cell = 0;
     double s_mm = 0.0;
   };
-  // So far from the motion; nothing: that is at the end of what is known, or behind it. There is a
+  // So far from the motion; nothing: that is at the end of what is known, or after it. There is a
   // cell.
   struct Sought {
     double way_mm = 0.0;

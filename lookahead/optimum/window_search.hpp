@@ -51,7 +51,7 @@ class WindowSearch {
     std::size_t end = 0;
   };
   // Over these of the waiting cells, up to a rest, refined for the rests at their ends. From 0 on
-  // the rest of the plan comes first, others begin behind a rest.
+  // the rest of the plan comes first, others begin after a rest.
   [[nodiscard]] FoundPlan over(const Indices& waiting) const;
   // What was found from a rest in front of a block; where it comes to rest within one, with what
   // follows up to its end.

@@ -1,4 +1,4 @@
-// A stretch of a block, and what is left of one behind a place on it.
+// A stretch of a block, and what is left of one after a place on it.
 #pragma once
 
 #include <memory>

@@ -143,7 +143,7 @@ double step_mm(const NurbsCurve& curve, const TickBound& at, bool strides,
     step = kFineShare * coarse;
   }
   step = std::max(strides ? coarse : std::min(step, coarse), least);
-  // Pieces behind may be much shorter.
+  // Pieces after may be much shorter.
   const bool passes_over_one = curve.piece_index(at.s_mm + step) > curve.piece_index(at.s_mm) + 1;
   return passes_over_one ? std::max(piece.s_end_mm - at.s_mm, least) : step;
 }

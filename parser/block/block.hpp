@@ -47,7 +47,7 @@ struct BlockWords {
   std::uint32_t remark = 0;           // offset + 1 of a ';' comment
   std::uint32_t first_word = kNoWord;         // offset of the first word, or kNoWord
   std::uint32_t assignment = 0;               // offset + 1 of the first assignment to a variable
-  std::uint32_t stale_read = 0;               // offset + 1 of a variable read behind its assignment
+  std::uint32_t stale_read = 0;               // offset + 1 of a variable read after its assignment
   const diagnostics::Fault* fault = nullptr;  // the evaluator's, with Stop::value
   std::array<Word, kMaxG> g;
   std::array<Word, kMaxM> m;

@@ -66,7 +66,7 @@ struct PlainNumber : Leaf<PlainNumber, ScannedNumber> {
   }
 };
 
-// A word's value that is not a number straight behind its letter. Out of the way of plain blocks.
+// A word's value that is not a number straight after its letter. Out of the way of plain blocks.
 [[gnu::noinline]] inline bool read_other_value(const Target& target, const char*& at,
                                                ScannedNumber& number) {
   const std::string_view line = target.block.line;

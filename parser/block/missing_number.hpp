@@ -1,4 +1,4 @@
-// What is wrong where the number behind an address letter should be.
+// What is wrong where the number after an address letter should be.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline std::string_view letters_at(std::string_view rest) {
                                   rest.begin()));
 }
 
-// Precondition: a letter stands at `letter_at` in the block's line, and no number behind it.
+// Precondition: a letter stands at `letter_at` in the block's line, and no number after it.
 diagnostics::Fault explain_missing_number(const BlockWords& block, std::size_t letter_at);
 
 }  // namespace kerf::parser

@@ -137,7 +137,7 @@ void CutterCompensation::hold_idle(const Move& move) {
   } else if (held_.size() >= kMaxHeld) {
     faults_.push_back({place_, &errors::kCompensationHoldsTooMuch,
                        joined({"cutter compensation: ", std::to_string(kMaxHeld),
-                               " blocks without motion in the plane, the corner behind them "
+                               " blocks without motion in the plane, the corner after them "
                                "cannot be looked up"})});
     settle_last();
     send_all();

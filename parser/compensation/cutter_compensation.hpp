@@ -32,7 +32,7 @@ struct CompensationStart {
 // The first move in the plane is the entry, a line to the point beside its programmed end; the
 // first line after stop() is the exit, straight to its programmed end. Between them the centre
 // keeps the radius from the contour: about outside corners on an arc of that radius, which has the
-// source and the feedrate of the move behind the corner; from inside corners it stays away. Lines
+// source and the feedrate of the move after the corner; from inside corners it stays away. Lines
 // along the plane's normal, dwells and events stay where the program has them.
 //
 // A move is held until the corner at its end is known and kWindow further moves in the plane are,
@@ -130,7 +130,7 @@ class CutterCompensation {
   std::deque<HeldMove> held_;
   std::size_t curves_ = 0;  // in held_, without the idle ones
   std::uint64_t number_ = 0;
-  int leads_left_ = 0;  // moves behind the place where a contour has closed
+  int leads_left_ = 0;  // moves after the place where a contour has closed
   std::uint32_t run_ = 1;
 };
 

@@ -203,7 +203,7 @@ void CutterCompensation::blame(HeldMove& held, const diagnostics::ErrorPage& pag
   }
   held.faulty = true;
   if (page.severity == diagnostics::Severity::error) {
-    ++run_;  // what comes behind is not measured against a contour that is wrong already
+    ++run_;  // what comes after is not measured against a contour that is wrong already
   }
 }
 

@@ -6,8 +6,8 @@
 // within one window.
 //
 // Arcs and lines that lead in and out are in the air; every closed contour passes over them. So the
-// first move behind the entry is no wall, nor is what comes before the place where a contour closes
-// and the two moves behind that. Little is lost by it: where two walls are too near to each other
+// first move after the entry is no wall, nor is what comes before the place where a contour closes
+// and the two moves after that. Little is lost by it: where two walls are too near to each other
 // the tool's way past either of them cuts into the other.
 //
 // An entry goes straight to the point beside the contour's first one, so it passes that point a

@@ -70,7 +70,7 @@ struct Crossings {
 };
 Crossings crossings(const ContourElement& first, const ContourElement& second);
 
-// How far along the curve the point, which lies on it or its continuation, is behind its start or
+// How far along the curve the point, which lies on it or its continuation, is after its start or
 // before its end; negative if outside a line.
 double ahead_of_start_mm(const ContourElement& curve, Vec point_mm);
 double before_end_mm(const ContourElement& curve, Vec point_mm);

@@ -58,7 +58,7 @@ Done check_cycle_modes(const RunningBlock& at, const ModalState& state, ContourP
 }
 
 // The block's words join those that hold from before; what is then still missing is an error, said
-// once and not again for each block behind it.
+// once and not again for each block after it.
 Done take_cycle_words(const RunningBlock& at, ModalState& state) {
   CycleWords& words = state.cycle.words;
   const double unit = mm_per_unit(state.units);

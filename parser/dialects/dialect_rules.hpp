@@ -46,11 +46,11 @@ struct DialectRules {
   // Variables and expressions.
   bool macro_arithmetic;    // the functions and operators of custom macro B; else of RS274/NGC
   bool named_variables;     // #<name>
-  bool assigns_at_once;     // else behind the words of the block
+  bool assigns_at_once;     // else after the words of the block
   bool vacant_variables;    // #0, and what was never set; else that is 0
   bool control_variables;   // from #1000 on they are those of a Fanuc control; else of LinuxCNC
   std::size_t locals;       // #1 and on, which each call has anew
-  std::size_t plain_end;    // behind the variables that only the program writes
+  std::size_t plain_end;    // after the variables that only the program writes
   std::size_t first_asked;  // from here on the machine's state is asked first
   std::size_t variables_end;
 };

@@ -29,7 +29,7 @@ struct Cursor {
   [[nodiscard]] const char* end() const { return line.data() + line.size(); }
 };
 
-// Reads values at a cursor, which it moves behind them. A value is finite or, in Fanuc's dialect,
+// Reads values at a cursor, which it moves after them. A value is finite or, in Fanuc's dialect,
 // kVacant. Angles are in degrees, lengths in the program's units.
 //
 //   value       number | [sign] ('[' expression ']' | variable | function)
@@ -54,9 +54,9 @@ class Evaluator {
       reset();
     }
   }
-  // False: see fault(). Blanks behind the value are not taken.
+  // False: see fault(). Blanks after the value are not taken.
   bool read_value(Cursor& cursor, double& value);
-  // The same without brackets around it: what stands behind Fanuc's '='.
+  // The same without brackets around it: what stands after Fanuc's '='.
   bool read_expression(Cursor& cursor, double& value);
   // `#1=2`. RS274/NGC: the parameter changes at commit(), so that every value of the line is from
   // before it. Fanuc: it changes at once.
@@ -67,7 +67,7 @@ class Evaluator {
   void commit();
 
   [[nodiscard]] const diagnostics::Fault& fault() const { return fault_; }
-  // Offset + 1 of a variable that was read behind its assignment in the same line, where it still
+  // Offset + 1 of a variable that was read after its assignment in the same line, where it still
   // had the value from before; 0: none.
   [[nodiscard]] std::uint32_t stale_read() const { return stale_read_; }
 

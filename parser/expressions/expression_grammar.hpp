@@ -17,7 +17,7 @@ struct Reference {
 
 // What is being read, and who knows the variables and keeps the fault.
 struct Reading {
-  const char*& at;  // moved behind what was read
+  const char*& at;  // moved after what was read
   const char* end;
   const char* begin;  // of the line
   Evaluator& evaluator;

@@ -116,7 +116,7 @@ struct OpeningBracket : ValueLeaf<OpeningBracket, Nothing> {
   }
 };
 
-// The number behind '#': digits, which end at a blank, or any value but a letter's.
+// The number after '#': digits, which end at a blank, or any value but a letter's.
 struct Digits : ValueLeaf<Digits, double> {
   bool read(const Reading& reading, double& number) const {
     const char* at = reading.at;

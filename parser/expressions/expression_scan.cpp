@@ -16,7 +16,7 @@ namespace {
 using detail::is_blank;
 using detail::is_digit;
 
-// Behind `rest` at `first`; nullptr where something else stands there.
+// After `rest` at `first`; nullptr where something else stands there.
 const char* behind(const char* first, const char* last, std::string_view rest) {
   for (const char wanted : rest) {
     first = skip_blanks(first, last);

@@ -18,7 +18,7 @@ using Nothing = x3::unused_type;
 // Where a leaf reads, and the context that its grammar was given.
 template <class Context>
 struct GrammarPlace {
-  const char*& at;  // moved behind what was read
+  const char*& at;  // moved after what was read
   const char* end;
   const Context& context;
 };

@@ -31,7 +31,7 @@ struct Call {
 // M99 and its P.
 struct Return {
   std::uint32_t offset = 0;         // in its line
-  std::uint32_t line_number = 0;    // N to go on at in the calling program; 0: behind the call
+  std::uint32_t line_number = 0;    // N to go on at in the calling program; 0: after the call
   std::uint32_t number_offset = 0;  // of P
 };
 

@@ -140,7 +140,7 @@ bool Flow::pass_goal() {
   return true;
 }
 
-// False: feed more, or it cannot be reached and the flow has stopped or goes on behind it.
+// False: feed more, or it cannot be reached and the flow has stopped or goes on after it.
 bool Flow::reach_goal() {
   while (goal_ != Goal::none && !stopped_) {
     if (pass_goal() || grow()) {
@@ -164,7 +164,7 @@ bool Flow::reach_goal() {
   return true;
 }
 
-// A program with an error will not run, so behind one a loop has no motion to go on for: only lines
+// A program with an error will not run, so after one a loop has no motion to go on for: only lines
 // that have not moved before count.
 void Flow::count_motion() {
   const bool anew = text_ == main_.get() && current_ > furthest_;
@@ -183,7 +183,7 @@ void Flow::stop_endless_loop() {
   fault(current_, at == std::string_view::npos ? 0 : static_cast<std::uint32_t>(at),
         errors::kEndlessLoop,
         joined({"the loop ran ", std::to_string(options_->max_idle_steps),
-                moves_in_vain_ ? " lines behind an error" : " lines without motion",
+                moves_in_vain_ ? " lines after an error" : " lines without motion",
                 ": it is taken to be endless"}));
   stopped_ = true;
 }

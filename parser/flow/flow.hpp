@@ -84,7 +84,7 @@ class Flow {
   [[nodiscard]] bool needs_rest() const {
     return active_ && !failed_at_end_ && main_->structure_open() && !main_->closed();
   }
-  // Whether what runs is wrong. Of what stands behind the end that is said, too, but it is never
+  // Whether what runs is wrong. Of what stands after the end that is said, too, but it is never
   // run and may come when nobody reads any more.
   [[nodiscard]] bool failed() const { return failed_at_end_.value_or(diagnostics_->has_errors()); }
   // Of a file as in SourcePosition; empty for 0.
@@ -110,8 +110,8 @@ class Flow {
   enum class Goal : std::uint8_t {
     none,
     close,        // the close of the structure that `statement_` opens
-    behind,       // the line behind that
-    next_clause,  // elseif, else or endif behind the clause `statement_`
+    behind,       // the line after that
+    next_clause,  // elseif, else or endif after the clause `statement_`
     call,         // the subprogram of `call_`
     target,       // the block with the number `target_`
   };
@@ -234,7 +234,7 @@ class Flow {
   bool has_called_ = false;
   bool forgotten_ = false;               // text before what is held has been dropped
   bool has_ended_ = false;               // the program
-  std::optional<bool> failed_at_end_{};  // nothing: what stands behind that was not read
+  std::optional<bool> failed_at_end_{};  // nothing: what stands after that was not read
   bool stopped_ = false;
 };
 

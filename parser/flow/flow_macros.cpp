@@ -51,7 +51,7 @@ void Flow::jump_if(const Statement& statement) {
   has_ready_ = true;
 }
 
-// The number behind GOTO, at `at`.
+// The number after GOTO, at `at`.
 void Flow::go_to(const Statement& statement, std::size_t at) {
   constexpr double kMax = 999'999'999.0;
   const std::string_view line = text_->line(current_).view();

@@ -75,7 +75,7 @@ void Flow::run_o_word(std::uint32_t index, const Statement& statement) {
   }
 }
 
-// A value of the line that is being run, in brackets, at `at`, which moves behind it. None: it is
+// A value of the line that is being run, in brackets, at `at`, which moves after it. None: it is
 // wrong and has been reported.
 std::optional<double> Flow::read_value(std::size_t& at) {
   const std::string_view line = text_->line(current_).view();

@@ -62,7 +62,7 @@ class ProgramText {
     std::uint32_t end = 0;
   };
   [[nodiscard]] Range program_around(std::uint32_t line) const;
-  // What opens the macro loop that the line behind `line` stands in; 0: none.
+  // What opens the macro loop that the line after `line` stands in; 0: none.
   [[nodiscard]] std::uint32_t structure_around(std::uint32_t line) const;
   // Whether a statement is the program number that the text begins with.
   [[nodiscard]] bool is_head(std::uint32_t statement) const { return statement == head_; }

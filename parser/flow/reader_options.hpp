@@ -43,7 +43,7 @@ struct ReaderOptions {
   MachineData machine{};    // work offsets, G28, G30 and tools as the program finds them
   // In place of `machine` and of what is in force at a start. Null: none.
   std::shared_ptr<const ReaderState> begins_with{};
-  bool one_line = false;           // no M2 is wanted behind it
+  bool one_line = false;           // no M2 is wanted after it
   SubprogramSource subprograms{};  // empty: only those in the program's own text
   // Lines read since the last motion that end the program as an endless loop.
   std::uint64_t max_idle_steps = 10'000'000;

@@ -36,16 +36,16 @@ enum class Keyword : std::uint8_t {
   wrong,
 };
 
-// What is behind a statement's label or keyword is found by its offset in the line; the other
+// What is after a statement's label or keyword is found by its offset in the line; the other
 // fields are indices of statements in the same text, 0 where there is none (yet).
 struct Statement {
   Keyword keyword = Keyword::none;
   bool computed_label = false;  // o[#1] call
   std::uint32_t repeats = 0;    // how many repeat loops are around it
   std::uint32_t line = 0;       // index in the text
-  std::uint32_t label_at = 0;   // offset of the label behind the o
+  std::uint32_t label_at = 0;   // offset of the label after the o
   std::uint32_t keyword_at = 0;
-  std::uint32_t rest = 0;    // offset behind the keyword
+  std::uint32_t rest = 0;    // offset after the keyword
   std::uint32_t label = 0;   // the label's index; for Fanuc the number of DO and END
   std::uint32_t around = 0;  // what opens the innermost structure around it
   std::uint32_t head = 0;    // what opens the structure it belongs to

@@ -95,22 +95,21 @@ Expected<Statement> read_o_word(std::string_view line, std::size_t at, const Dia
   return statement;
 }
 
-// Behind THEN stands an assignment, GOTO or a block, in the same line.
+// After THEN stands an assignment, GOTO or a block, in the same line.
 Done check_then(std::string_view line, std::size_t behind) {
   if (only_comment_left(line, behind)) {
-    return fail(behind, errors::kThenForm, "THEN needs a statement behind it in the same line");
+    return fail(behind, errors::kThenForm, "THEN needs a statement after it in the same line");
   }
   const std::size_t at = skip_blanks(line, behind);
   for (const std::string_view keyword : {"IF", "WHILE", "DO", "END"}) {
     if (behind_keyword(line, at, keyword) != 0) {
-      return fail(at, errors::kThenForm,
-                  joined({keyword, " cannot stand behind THEN: write GOTO"}));
+      return fail(at, errors::kThenForm, joined({keyword, " cannot stand after THEN: write GOTO"}));
     }
   }
   return {};
 }
 
-// Offset behind the condition in brackets that begins at `at`.
+// Offset after the condition in brackets that begins at `at`.
 Expected<std::size_t> behind_condition(std::string_view line, std::size_t at,
                                        std::string_view name) {
   const auto close = at < line.size() && line[at] == '[' ? behind_brackets(line, at) : std::nullopt;
@@ -140,7 +139,7 @@ Expected<Statement> read_if(std::string_view line, std::size_t behind) {
   return check_then(line, action).map([&] { return statement; });
 }
 
-// The number behind DO or END, 1 to 3.
+// The number after DO or END, 1 to 3.
 Expected<Statement> read_loop_number(std::string_view line, std::size_t at, std::string_view name,
                                      Statement statement) {
   const std::size_t from = skip_blanks(line, at);

@@ -151,7 +151,7 @@ void Structure::branch(std::uint32_t index, std::vector<StatementFault>& faults)
   Open& open = open_.back();
   if (at(open.clause).keyword == Keyword::o_else) {
     add(faults, statement, errors::kBranchAfterElse,
-        joined({shown(index), " behind the else of this if"}));
+        joined({shown(index), " after the else of this if"}));
   }
   at(open.clause).next = index;
   open.clause = index;

@@ -23,7 +23,7 @@ namespace kerf::parser {
 // block is checked for words that nothing in it uses before anything is done.
 //
 // After an error the block's plain effects (codes of motion, plane, units, distance; end point) are
-// still taken over, so that one mistake is not reported again by the blocks behind it.
+// still taken over, so that one mistake is not reported again by the blocks after it.
 //
 // Each code is done by its unit (offsets/, spindle_io/, cycles/, curves/, compensation/,
 // dialects/), which gets the block and the modal state. This class decides which unit comes when.

@@ -49,7 +49,7 @@ class Coordinates {
  public:
   static constexpr std::size_t kSystems =
       kWorkSystems;                              // 0: G54 ... 5: G59, 6: G59.1, 7: G59.2, 8: G59.3
-  static constexpr std::size_t kExtended = 300;  // behind these: G54.1 P1 ... P300
+  static constexpr std::size_t kExtended = 300;  // after these: G54.1 P1 ... P300
 
   [[nodiscard]] bool plain() const { return plain_; }
   // A move along X or Y of the program moves both axes of the machine.

@@ -42,7 +42,7 @@ struct MachineSource {
   // The reader waits at G38 and M66 for the machine's answer. Else a machine is assumed.
   bool is_asked = false;
   std::uint64_t asked_from_block = 0;               // Move::block; what comes before is not run
-  bool waits_for_spindle = false;                   // behind M3, M4 and a new S: the same
+  bool waits_for_spindle = false;                   // after M3, M4 and a new S: the same
   std::shared_ptr<const AssumedMachine> assumed{};  // null: nothing is touched, inputs are low
   // Of an assumed one: how long the tool rests for an answer that is there at the first look, how
   // long a look takes, and what a spindle that starts is given before it is asked.

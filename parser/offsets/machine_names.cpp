@@ -24,7 +24,7 @@ double code_of_system(std::size_t system) {
                     : 590.0 + static_cast<double>(system - 5);
 }
 
-// The axis that the letter behind `prefix` names, X to W; nothing where `name` is something else.
+// The axis that the letter after `prefix` names, X to W; nothing where `name` is something else.
 std::optional<std::size_t> axis_behind(std::string_view prefix, std::string_view name) {
   constexpr std::string_view kLetters = "xyzabcuvw";
   if (name.size() != prefix.size() + 1 || name.substr(0, prefix.size()) != prefix) {

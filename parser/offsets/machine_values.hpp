@@ -11,7 +11,7 @@ namespace kerf::parser {
 
 // As LinuxCNC documents them, A, B, C in degrees. In the machine's unit, mm, whatever the
 // program's: #5161 to #5169 (G28), #5181 to #5189 (G30), #5211 to #5219 (G52, G92), #5221 to #5390
-// (work offsets, ten numbers each behind #5220, the number of the one in force, R in degrees),
+// (work offsets, ten numbers each after #5220, the number of the one in force, R in degrees),
 // #5401 to #5413 (tool in the spindle). In the program's units: #5061 to #5069 (G38), #5420 to
 // #5428 (position). #5399 is what M66 read.
 //

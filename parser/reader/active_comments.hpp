@@ -16,7 +16,7 @@ struct ActiveComment {
   std::string_view text{};                     // without the blanks before it
 };
 
-// `comment` begins behind its '(' and may go on behind its ')'. Nothing: a plain comment.
+// `comment` begins after its '(' and may go on after its ')'. Nothing: a plain comment.
 std::optional<ActiveComment> active_comment(std::string_view comment);
 
 // The text that the operator sees. In PRINT and DEBUG, variables are numbers of six decimals, as

@@ -40,7 +40,7 @@ void warn_about(const BlockWords& block, LineInDialect where, SaidOnce& said,
   } else if (!rules_of(where.dialect).assigns_at_once && block.assignment != 0 &&
              has_words_beside_number(block)) {
     diagnostics.add({line, block.assignment}, errors::kAssignmentAmongWords,
-                    "the assignment takes effect behind the words of its block");
+                    "the assignment takes effect after the words of its block");
   }
   if (block.numbered_delete && !rules_of(where.dialect).numbered_delete) {
     diagnostics.add({line, 1}, errors::kNumberedBlockDelete,

@@ -108,7 +108,7 @@ bool ProgramRun::run_call(const NumberedLine& line, bool complete) {
     run_program_call(line, *code);
   } else if (code != nullptr) {
     remove_call(block_, *code);
-    interpret(line, false);  // says what is wrong behind it
+    interpret(line, false);  // says what is wrong after it
   }
   return code != nullptr;
 }

@@ -43,7 +43,7 @@ void ProgramRun::read_behind_semicolon(const NumberedLine& line) {
          !interpreter_.program_ended()) {
     if (called_) {
       diagnostics_.add({line.number, block_.remark}, errors::kBlockBehindCall,
-                       "a block behind ';' cannot follow a call in the same line");
+                       "a block after ';' cannot follow a call in the same line");
       return;
     }
     const std::size_t begin = block_.remark;

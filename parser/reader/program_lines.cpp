@@ -39,7 +39,7 @@ bool ProgramRun::read_percent(const NumberedLine& line, std::size_t at) {
   return true;
 }
 
-// Text behind the program's end is passed over; that it is there is said once.
+// Text after the program's end is passed over; that it is there is said once.
 void ProgramRun::read_rest(const NumberedLine& line) {
   const std::size_t at = skip_blanks(line.text, 0);
   const bool empty = at == line.text.size() || line.text[at] == '(' || line.text[at] == ';';

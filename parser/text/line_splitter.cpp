@@ -23,7 +23,7 @@ void LineSplitter::feed(std::string_view bytes) {
   at_ = 0;
 }
 
-// What belongs to the line end before: one LF behind a CR, any CRs behind an LF. (LF CR LF counts
+// What belongs to the line end before: one LF after a CR, any CRs after an LF. (LF CR LF counts
 // the same whether it is read as LF, CRLF or as LFCR, LF.)
 void LineSplitter::skip_rest_of_line_end() {
   while (ended_by_ != '\0' && at_ < buffer_.size()) {

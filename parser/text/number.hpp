@@ -85,7 +85,7 @@ inline const char* take_decimals(const char* at, const char* last, std::uint64_t
 // What is odd about a value that has more than nine decimals.
 Oddity oddity_of(double value);
 
-// Whether a number goes on behind the blanks at `at`, or has a second point there.
+// Whether a number goes on after the blanks at `at`, or has a second point there.
 inline bool goes_on(const char* at, const char* last) {
   while (at != last && is_blank(*at)) {
     ++at;
@@ -97,7 +97,7 @@ inline bool goes_on(const char* at, const char* last) {
 
 // Reads one number at `first`. Where mantissa and power of ten are both exact in a double (at most
 // 2^53 and 10^22), their quotient is the correctly rounded value [Clinger 1990]; all other numbers
-// take the long way. `end` is behind the number's last digit.
+// take the long way. `end` is after the number's last digit.
 inline ScannedNumber scan_number(const char* first, const char* last) {
   const char* at = first;
   bool negative = false;

@@ -52,7 +52,7 @@ void ProgramInput::take_end_mark(NumberedLine& line) {
   if (end_mark_ && behind > 0 && !passes_over_) {
     passes_over_ = true;
     diagnostics_->add_at(*end_mark_, errors::kControlByte,
-                         "byte 0x1A is not allowed: the text goes on behind it");
+                         "byte 0x1A is not allowed: the text goes on after it");
   }
   const std::size_t mark = line.text.find(kEndMark, behind);
   if (mark == std::string_view::npos) {

@@ -104,7 +104,7 @@ TEST(Controller, MovesNothingAfterAnEmergencyStopUntilResetEnableAndStart) {
   EXPECT_EQ(shop.setpoint.position_mm[0], 0.0);
 }
 
-// Whoever presses the button behind a fault does not switch the drives on.
+// Whoever presses the button after a fault does not switch the drives on.
 TEST(Controller, KeepsTheDrivesOffInAnEmergencyStopBehindAFault) {
   Shop shop;
   shop.begin(kLongLine);

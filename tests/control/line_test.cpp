@@ -49,7 +49,7 @@ TEST(Line, BeginsBehindAProgramsEndWhereThatLeavesIt) {
   }
 }
 
-// Found with a client: behind a line without motion no code was shown.
+// Found with a client: after a line without motion no code was shown.
 TEST(Line, ShowsWhatIsInForceThoughNothingMoved) {
   LineShop shop;
   shop.run_mdi("G21 G90 G0 X5");
@@ -141,7 +141,7 @@ TEST(Line, FollowsOverridesAndInputsAsTheLineBeforeAllows) {
   EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, kProgrammed_rad_s, 1e-9);
 }
 
-// Found by reading: the hole behind M2 was taken for one more of the series before it, and the tool
+// Found by reading: the hole after M2 was taken for one more of the series before it, and the tool
 // went back to the height of that.
 TEST(Line, ACycleBehindAnEndOfTheProgramGoesBackToWhereItBegan) {
   LineShop shop;
@@ -226,7 +226,7 @@ TEST(Line, LeavesWhatIsInForceToTheNextProgram) {
   shop.start("G21 G90 G0 X1\nM2\n");
   shop.tick_until(State::idle);
   EXPECT_EQ(shop.setpoint.position_mm[0], 31.0);
-  shop.start("G21 G90 G0 X1\nM2\n");  // behind a program a program begins afresh
+  shop.start("G21 G90 G0 X1\nM2\n");  // after a program a program begins afresh
   shop.tick_until(State::idle);
   EXPECT_EQ(shop.setpoint.position_mm[0], 1.0);
 }

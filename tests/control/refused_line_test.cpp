@@ -36,7 +36,7 @@ TEST(Line, ThatLeavesTheTravelIsRefused) {
 }
 
 // Found with a client: the tool was changed, or the spindle left turning, before the line was found
-// wrong behind that.
+// wrong after that.
 TEST(Line, ThatLeavesTheTravelBehindAWaitOfItsOwnIsRefused) {
   MachineSettings settings = mill_with_switches();
   settings.program.tools.put({.number = 2});

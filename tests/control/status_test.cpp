@@ -109,7 +109,7 @@ TEST(Controller, SaysThatItWaitsForTheMachine) {
             1);
 }
 
-// A thread that had changed the state could tell of it behind the one that changed it next.
+// A thread that had changed the state could tell of it after the one that changed it next.
 TEST(Controller, TellsLastOfTheStateThatItIsInWhicheverThreadChangedIt) {
   for (int round = 0; round < 300; ++round) {
     Shop shop;

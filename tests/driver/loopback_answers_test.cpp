@@ -146,7 +146,7 @@ TEST_F(Loopback, Row68AReadingThatIsFrozenIsAFaultOnceTheAxisShouldBeElsewhere) 
   EXPECT_NEAR(static_cast<double>(tick_), 500.0, 3.0);
 }
 
-// A counter that wraps from 4.096 mm to -4.096 mm, behind 409 ticks.
+// A counter that wraps from 4.096 mm to -4.096 mm, after 409 ticks.
 TEST_F(Loopback, Row68AReadingThatWrapsIsAFaultAtItsTick) {
   pair_.peer.serve();
   bool is_told_to_be_off = false;

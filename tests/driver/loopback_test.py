@@ -145,7 +145,7 @@ class Loopback(Case):
         out, _ = machine.communicate(timeout=60)
         ticks = [round(t / 0.001) for t, _ in self.rows()]
         told = int(re.search(r"at rest (\d+) ticks in a row", out)[1])
-        self.assertGreaterEqual(told, len(ticks))  # behind the program's last one it waits for the answer
+        self.assertGreaterEqual(told, len(ticks))  # after the program's last one it waits for the answer
         self.assertEqual(ticks, list(range(len(ticks))))
         self.assertGreater(len(ticks), 2000)
         self.assertEqual(self.rows()[-1][1], 40)
@@ -185,7 +185,7 @@ class Loopback(Case):
         while (status := client.status())["state"] != "held":
             time.sleep(0.02)
         self.assertTrue(status["door_open"])
-        # It opens behind 1.5 s of 20 mm/s. The answers of a machine elsewhere may be late.
+        # It opens after 1.5 s of 20 mm/s. The answers of a machine elsewhere may be late.
         self.assertLess(status["position_mm"]["x"], 40)
         refused = client.ask("resume")
         self.assertEqual((refused["accepted"], refused["reason"]), (False, "the door is open"))

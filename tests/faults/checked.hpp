@@ -37,7 +37,7 @@ inline std::string said_of(std::string_view text, const KernelOptions& options =
   return lines;
 }
 
-// With an end behind it, so that nothing is said of a missing one.
+// With an end after it, so that nothing is said of a missing one.
 inline std::string said_of_block(const std::string& text) {
   return said_of(text + "\nM2\n");
 }

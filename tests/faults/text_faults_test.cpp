@@ -128,7 +128,7 @@ TEST(TextFaults, Row06CtrlZMayEndTheTextAndNotInterruptIt) {
   EXPECT_FALSE(check("G0 X1\n\x1A").has_errors());
   EXPECT_FALSE(check("o1 if [1]\nG0 X1\no1 endif\n\x1A").has_errors());
   EXPECT_TRUE(says(said_of("G0 X1\n\x1A\nG0 X2\nM2\n"),
-                   "2:1: error: byte 0x1A is not allowed: the text goes on behind it"));
+                   "2:1: error: byte 0x1A is not allowed: the text goes on after it"));
   EXPECT_TRUE(says(said_of("G0 X1\x1A Y2\nM2\n"), "1:6: error: byte 0x1A is not allowed"));
 }
 

@@ -56,7 +56,7 @@ TEST(ChordError, OfACornerPassedBetweenTicksIsTheCornersDistance) {
     script.interpolator().next(setpoint);
     largest = std::max(largest, script.interpolator().chord_error_mm());
   }
-  // Ticks 0.02 mm before and behind a right angle: its height over the hypotenuse.
+  // Ticks 0.02 mm before and after a right angle: its height over the hypotenuse.
   EXPECT_NEAR(largest, 0.02 / std::sqrt(2.0), 1e-9);
 }
 

@@ -41,7 +41,7 @@ TEST(Interpolator, IsAtTheLawsLengthAtEveryTick) {
   EXPECT_EQ(setpoint.v_mm_s, 0.0);
   EXPECT_EQ(setpoint.a_mm_s2, 0.0);
   EXPECT_EQ(setpoint.j_mm_s3, 0.0);
-  // The first tick at or behind the end.
+  // The first tick at or after the end.
   const double duration = up.duration_s() + down.duration_s();
   EXPECT_EQ(setpoint.tick, static_cast<std::int64_t>(std::ceil(duration / kTs - 1e-9)));
 }
@@ -95,7 +95,7 @@ TEST(Interpolator, ResumesFromRestAsThoughItHadNotStarved) {
   }
 }
 
-// Sums of durations round: what ends on a tick may be followed by what begins an instant behind it.
+// Sums of durations round: what ends on a tick may be followed by what begins an instant after it.
 TEST(Interpolator, GoesOnWhereThePhasesOfAMotionMeetOnATickButForRounding) {
   const auto queue = std::make_unique<MotionQueue>();
   Interpolator interpolator(*queue, kTs, {});

@@ -23,7 +23,7 @@ using profiles::Transition;
 inline constexpr double kTs = 0.001;
 inline constexpr profiles::RampLimits kRamp{.acceleration_mm_s2 = 1000.0, .jerk_mm_s3 = 2e4};
 
-// Pushes laws one behind the other along curves, as the planner does.
+// Pushes laws one after the other along curves, as the planner does.
 class Script {
  public:
   explicit Script(const Position& start_mm = {})

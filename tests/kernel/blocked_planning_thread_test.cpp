@@ -18,7 +18,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::int64_t kBlocked = 900;  // ticks: the horizon, the way to rest and a rest behind it
+constexpr std::int64_t kBlocked = 900;  // ticks: the horizon, the way to rest and a rest after it
 
 // A signal's handler runs in the planning thread and blocks it.
 std::atomic<bool> blocks = false;

@@ -141,7 +141,7 @@ double ChordChecker::chord_error_mm(const Place& from, const Place& to) const {
   return worst;
 }
 
-// Behind a corner that turns back the path runs so close to itself that only the block tells where
+// After a corner that turns back the path runs so close to itself that only the block tells where
 // a tick is.
 ChordChecker::Place ChordChecker::first_of_line(std::size_t line, const Place& from) const {
   Place place = from;

@@ -156,7 +156,7 @@ TEST(CommandsInWaits, AHoldInSingleBlockIsNoEndOfACurveThatStandsForSeveralLines
   }
 }
 
-// Forty ticks come at one of the looks that the planning takes at them. Behind the second one a
+// Forty ticks come at one of the looks that the planning takes at them. After the second one a
 // plan for the command is made, which is handed over at the fourth: it is refused.
 class LateCommand {
  public:

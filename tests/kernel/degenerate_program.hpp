@@ -9,7 +9,7 @@ namespace kerf::test {
 
 // Tiny moves by literals, expressions, offsets, turned offsets, a change of unit and incremental
 // sums; as lines, rapids, arcs, helices, splines, moves of A and U and cycles; alone and in runs of
-// up to 10,000, before and behind each kind of ordinary block; in G61, G61.1 and G64. For a machine
+// up to 10,000, before and after each kind of ordinary block; in G61, G61.1 and G64. For a machine
 // of random_machine(). `end_mm` is where the program says, added up on its own account.
 RandomProgram degenerate_program(std::uint64_t seed);
 

@@ -38,7 +38,7 @@ class DenseChecker {
 
   const std::vector<PathPoint>* path_;
   double tolerance_mm_;
-  std::size_t next_ = 0;  // the first point behind the tick before
+  std::size_t next_ = 0;  // the first point after the tick before
   Vec position_mm_{};
   bool begun_ = false;
   double largest_mm_ = 0.0;

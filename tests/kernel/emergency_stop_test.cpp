@@ -190,7 +190,7 @@ TEST(EmergencyStop, TurnsSpindleAndCoolantOffAtOnce) {
   EXPECT_FALSE(stopped.ticks[2].outputs.flood);
 }
 
-// Found by reading: the rests and blocks behind a dwell in which it came were taken for run, and
+// Found by reading: the rests and blocks after a dwell in which it came were taken for run, and
 // what they switch for in force.
 TEST(EmergencyStop, InADwellLeavesWhatComesBehindIt) {
   Kernel kernel(mill(), {.tells_operator = true});

@@ -94,7 +94,7 @@ TEST(TimeOptimum, RestsOnceWhereASearchFailsCloseToItsBegin) {
 // Found by a soak, each for a reason of its own: a rest within a curve lasted no tick where it was
 // compared; rounding made a jump of curvature, which took its share of the jerk; only a part of a
 // curve was planned without a degradation, and that was compared with nothing; nor were a line and
-// such a part of the curve behind it.
+// such a part of the curve after it.
 TEST(TimeOptimum, IsNoSlowerThanTheSCurveBesideMovesThatAreAsGoodAsNone) {
   for (const std::uint64_t seed : {9100860U, 9101106U, 9111841U, 9112308U, 60003872U}) {
     const SmoothRun run{.name = "seed " + std::to_string(seed),

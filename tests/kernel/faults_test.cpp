@@ -148,7 +148,7 @@ TEST(Fault56, SingleBlockInsideABlendStopsAtItsEnd) {
   run.kernel().set_single_block(true);
   run.tick_until(TickStatus::waiting);
   EXPECT_EQ(run.setpoint().v_mm_s, 0.0);
-  EXPECT_EQ(run.setpoint().position_mm[0], 30.0);  // behind the curve, on the line along Y
+  EXPECT_EQ(run.setpoint().position_mm[0], 30.0);  // after the curve, on the line along Y
   EXPECT_LT(run.setpoint().position_mm[1], 30.0);
   run.kernel().set_single_block(false);
   run.kernel().resume();

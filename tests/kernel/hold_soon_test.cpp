@@ -37,7 +37,7 @@ TEST(HoldSoon, OnALineBrakesInTheShortestWay) {
   }
 }
 
-// The corner in front of the arc is passed at rest, so nothing of it is left in the ticks behind
+// The corner in front of the arc is passed at rest, so nothing of it is left in the ticks after
 // it.
 TEST(HoldSoon, ComesSoonWhereTheToolHasJustLeftARest) {
   const std::string text = "G21 G90 G61 F1800\nG1 X0.1\nG18 G3 X10.1 I5\nM2\n";

@@ -111,7 +111,7 @@ TEST(Hold, LeavesOutputsAtTheirPlaces) {
     std::vector<std::pair<std::uint64_t, double>> changes;
     for (std::size_t i = 1; i < ticks.size(); ++i) {
       if (ticks[i].outputs != ticks[i - 1].outputs) {
-        // The block that it is on: a tick may be anywhere behind the block's begin.
+        // The block that it is on: a tick may be anywhere after the block's begin.
         changes.emplace_back(ticks[i].outputs.digital, std::floor(ticks[i].s_mm / 10.0));
       }
     }

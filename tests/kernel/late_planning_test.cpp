@@ -15,7 +15,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::int64_t kLate = 900;  // ticks: the horizon, the way to rest and a rest behind it
+constexpr std::int64_t kLate = 900;  // ticks: the horizon, the way to rest and a rest after it
 
 // Calls plan() before each tick but those from late_from on.
 WatchedRun run_late(const std::string& text, const KernelOptions& options, std::int64_t late_from) {
@@ -58,7 +58,7 @@ TEST(LatePlanning, OnLinesOfLessThanATickIsOneRest) {
     const WatchedRun run = run_late(dense_program(), {}, tick);
     expect_whole(run, whole);
     EXPECT_GT(run.count(TickStatus::starved), 0);
-    // Behind a rest it takes as long again to the end, and kLate while nothing was planned.
+    // After a rest it takes as long again to the end, and kLate while nothing was planned.
     EXPECT_LT(run.ticks.back().tick, whole.back().tick + kLate + 300);
   }
 }

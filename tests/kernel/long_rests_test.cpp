@@ -69,7 +69,7 @@ std::size_t ticks_with(double spindle_start_s, const std::string& text,
   return run.ticks.size();
 }
 
-// Found by reading: behind M6, which stops it, and behind S0 it was taken to turn already.
+// Found by reading: after M6, which stops it, and after S0 it was taken to turn already.
 TEST(SpindleStart, TakesItsTimeWheneverItStoodBefore) {
   const auto starts_of = [](const std::string& text, const KernelOptions& options = {}) {
     return static_cast<double>(ticks_with(2.0, text, options) - ticks_with(0.0, text, options)) /

@@ -66,7 +66,7 @@ TEST(Override, Of0HoldsNothingWhereTheProgramForbidsIt) {
   }
 }
 
-// Found with a client: behind M49 the spindle started at its override, and came to the programmed
+// Found with a client: after M49 the spindle started at its override, and came to the programmed
 // speed with the next motion alone.
 TEST(Override, OfTheSpindleCountsAtRestsAsTheProgramHasItThere) {
   constexpr double kProgrammed = 2.0 * 3.14159265358979323846 * 1000.0 / 60.0;
@@ -105,7 +105,7 @@ TEST(Override, OfTheSpindleCountsAtRestsAsTheProgramHasItThere) {
   EXPECT_NEAR(shares[2], 1.0, 1e-9);
 }
 
-// A tap that stops while its spindle turns breaks. What is asked for within it counts behind it.
+// A tap that stops while its spindle turns breaks. What is asked for within it counts after it.
 TEST(Tap, IsStoppedByNothingButAnEmergencyStop) {
   const std::string text =
       "G21 G90 G0 Z5\nS600 M3\nG98 G84 X0 Y0 Z-10 R2 F600\nG80\nG1 X50 F3000\nM5\nM2\n";

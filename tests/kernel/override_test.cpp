@@ -118,7 +118,7 @@ TEST(Override, GoesOnWithTheChosenProfileFromACruise) {
 }
 
 // Found with a client: where the plan of the other feedrate began at the rest of a corner, the tool
-// waited there for what comes behind it.
+// waited there for what comes after it.
 TEST(Override, RightBeforeARestIsNoWaitForThePlanBehindIt) {
   for (std::int64_t asked = 100; asked <= 200; asked += 2) {
     const WatchedRun run =

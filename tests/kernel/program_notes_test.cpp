@@ -61,8 +61,7 @@ NotedRun run_noted(const std::string& text, KernelOptions options = {}) {
   return run;
 }
 
-constexpr double kTick_mm =
-    0.2;  // more than a tick's way at F6000 and 1 ms, with the plan() behind
+constexpr double kTick_mm = 0.2;  // more than a tick's way at F6000 and 1 ms, with the plan() after
 
 TEST(ProgramNotes, TellAMessageWhereTheToolComesToItsBlock) {
   const NotedRun run = run_noted(

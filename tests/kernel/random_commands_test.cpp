@@ -62,7 +62,7 @@ TEST(RandomCommandsAgain, BrakeBehindACruiseThatWasCutShort) {
   }
 }
 
-// A part of the next ramp, shorter than a tick, was planned behind the rest: that was taken for the
+// A part of the next ramp, shorter than a tick, was planned after the rest: that was taken for the
 // plan's end, and the tool was left in the ramp without a way to rest.
 TEST(RandomCommandsAgain, RestWherePlanningIsLateRightBehindARest) {
   const CommandedRun run = commanded_run(95'000'872);
@@ -93,7 +93,7 @@ TEST(RandomCommandsAgain, SingleBlockWhereARestEnds) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
-// Within a spline of degree 2, a tick behind the place where its curvature jumps.
+// Within a spline of degree 2, a tick after the place where its curvature jumps.
 TEST(RandomCommandsAgain, OverrideBehindAJumpOfCurvature) {
   const CommandedRun run = commanded_run(25'449);
   EXPECT_EQ(run.complaint, "") << run.commands;
@@ -118,7 +118,7 @@ TEST(RandomCommandsAgain, HoldOnAWayToRestOverTwoBlocks) {
   EXPECT_EQ(run.complaint, "") << run.commands;
 }
 
-// Behind a stop in a hold, whose blocks are dropped: it had looked for one more way to rest.
+// After a stop in a hold, whose blocks are dropped: it had looked for one more way to rest.
 TEST(RandomCommandsAgain, ResumeBehindAStopThatFollowsAHold) {
   const CommandedRun run = commanded_run(90'000'842);
   EXPECT_EQ(run.complaint, "") << run.commands;

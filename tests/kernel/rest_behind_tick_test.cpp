@@ -1,4 +1,4 @@
-// A way to rest that ends some microseconds behind a tick: where another plan takes over at that
+// A way to rest that ends some microseconds after a tick: where another plan takes over at that
 // tick there is hardly a way left, but the acceleration is not 0 yet.
 #include <cstdint>
 #include <functional>

@@ -1,4 +1,4 @@
-// Single block: a rest and a wait at the junction behind each block of the program.
+// Single block: a rest and a wait at the junction after each block of the program.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -133,7 +133,7 @@ TEST(SingleBlock, SwitchedOnInMotionRestsAtTheNextJoint) {
   }
 }
 
-// The tool already brakes there: a corner that is exact, one behind a dwell.
+// The tool already brakes there: a corner that is exact, one after a dwell.
 TEST(SingleBlock, SwitchedOnBeforeARestWaitsThere) {
   for (const std::string rest : {"", "G4 P0.05\n"}) {
     const std::string text = "G21 G90 G61 F6000\nG1 X50\n" + rest + "G1 X0\nM2\n";
@@ -202,7 +202,7 @@ TEST(SingleBlock, WaitsForEachBlockWhereTheyAreOfOneLine) {
   EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 3}));
 }
 
-// Behind an output it was the block before.
+// After an output it was the block before.
 TEST(SingleBlock, WaitsInTheBlockThatHasEnded) {
   const SteppedRun run =
       run_stepped("G21 G90 G61 F3000\nG1 X10\nM3 S500\nG1 X20\nM5\nG4 P0.05\nG1 X0\nM2\n", {}, {});

@@ -153,7 +153,7 @@ TEST(SingularCurves, TheVelocityOfAnAxisHoldsBetweenSamples) {
   }
 }
 
-// Found by a soak: a rest at the curve's begin gave the cells behind it back what a jump within
+// Found by a soak: a rest at the curve's begin gave the cells after it back what a jump within
 // took.
 TEST(SingularCurves, AJumpOfCurvatureKeepsItsShareWhereTheCurveBeginsAtRest) {
   EXPECT_EQ(judged_case(65000193, profiles::ProfileKind::time_optimal, 20.0).complaint, "");
@@ -214,7 +214,7 @@ TEST(SingularCurves, TheChordHoldsAtATurnWhoseFeedrateIsLessThanATicksAccelerati
   }
 }
 
-// Behind a straight part whose pieces of the arc-length map are longer than a tick.
+// After a straight part whose pieces of the arc-length map are longer than a tick.
 TEST(SingularCurves, ANeedleThatATickPassesOverIsSeenFromAfar) {
   for (const std::uint64_t seed : {91300374U, 12025062U}) {
     EXPECT_EQ(judged_case(seed, profiles::ProfileKind::trapezoid, 20.0).complaint, "") << seed;
@@ -244,7 +244,7 @@ TEST(SingularCurves, RoundingBesideACornerDoesNotStarveTheMotion) {
   EXPECT_EQ(judged_case(10791, profiles::ProfileKind::sine_series).complaint, "");
 }
 
-// A valley within an ulp of a curve's end, behind a cruise that leaves in many parts: their rounded
+// A valley within an ulp of a curve's end, after a cruise that leaves in many parts: their rounded
 // sum is beyond that end.
 TEST(SingularCurves, ACruiseInPartsDoesNotPassTheEndOfItsCurve) {
   EXPECT_EQ(judged_case(201375, profiles::ProfileKind::s_curve, 20.0).complaint, "");

@@ -131,7 +131,7 @@ TEST(TimeLeft, DividesOnlyWhatAnOverrideSlows) {
 
 // Found by reading: a way that an axis A takes was divided by the feedrate of X, Y and Z. Of a
 // fifth of it 482 s were said to be left of 31.
-// M49 keeps the feed to X10; behind M48 a feed of 0 holds.
+// M49 keeps the feed to X10; after M48 a feed of 0 holds.
 TEST(TimeLeft, IsUnknownWhereAFeedOfZeroHoldsLater) {
   const NominalTime nominal{.motion_s = 6.0, .steady_s = 1.0};
   Kernel kernel(mill(), {.tells_operator = true, .nominal = nominal});

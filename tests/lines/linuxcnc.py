@@ -78,7 +78,7 @@ def state_of(told, place, path_mode):
              "tool_offset": list(place.tool)}
     state = {key: [round(value, 6) + 0.0 for value in values] for key, values in state.items()}
     state["turn"] = round(place.rotation * 57.29577951308232, 6)
-    # #<_feed> is the number that was written last, and of another unit behind G20 and G21: what counts is the call.
+    # #<_feed> is the number that was written last, and of another unit after G20 and G21: what counts is the call.
     state["feed"] = round(place.feed, 6) if told["minute"] else None
     state.update(speed=told["s"], tool=int(told["tool"]), next=int(told["next"]), codes=codes_of(told, path_mode))
     return state

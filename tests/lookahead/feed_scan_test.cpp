@@ -176,7 +176,7 @@ TEST(FeedScan, BoundsASharpTurnAtItsApexAlone) {
     if (std::abs(sample.s_mm - apex) < 1e-3) {
       slowest = std::min(slowest, sample.v_mm_s);
     } else if (sample.s_mm > apex + 2e-3) {
-      // As fast as lets the tick around it begin behind the apex.
+      // As fast as lets the tick around it begin after the apex.
       const double behind = 2.0 * (sample.s_mm - apex) / 0.001;
       EXPECT_GT(sample.v_mm_s, std::min(0.9 * behind, 95.0)) << sample.s_mm - apex;
     }

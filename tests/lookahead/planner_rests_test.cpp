@@ -73,7 +73,7 @@ TEST(Planner, RestsForItsDurationOnTicks) {
 }
 
 TEST(Planner, KeepsTheTicksOfADwellThatLeavesInManyParts) {
-  // The next whole tick behind so many periods.
+  // The next whole tick after so many periods.
   for (const auto& [dwell_s, ticks] :
        {std::pair{1e5, std::int64_t{100'000'000}}, std::pair{644.307, std::int64_t{644'307}},
         std::pair{0.3000005, std::int64_t{301}}}) {

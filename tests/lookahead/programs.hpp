@@ -87,7 +87,7 @@ inline void expect_contiguous(const std::vector<interp::Phase>& phases) {
     const double gap_s = static_cast<double>(phase.begin.tick - before.begin.tick) * kTs +
                          phase.begin.offset_s - before.begin.offset_s - before.law.duration_s();
     if (before.ends_at_rest) {
-      EXPECT_EQ(phase.begin.offset_s, 0.0) << "a phase behind a rest begins on a tick";
+      EXPECT_EQ(phase.begin.offset_s, 0.0) << "a phase after a rest begins on a tick";
       EXPECT_GE(gap_s, -1e-11);
       EXPECT_LT(gap_s, kTs);
       EXPECT_NEAR(before.law.ramp().v_end_mm_s, 0.0, 0.0);

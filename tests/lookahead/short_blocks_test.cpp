@@ -103,7 +103,7 @@ TEST_P(ShortBlocks, KeepTheChordOfATickThatBrakesOverThem) {
   }
 }
 
-// A rest before the corner and one behind it would cost some ticks, a crawl many more.
+// A rest before the corner and one after it would cost some ticks, a crawl many more.
 TEST_P(ShortBlocks, ArePassedInMotion) {
   const PlanLimits limits = with_tolerance(axis_limits(kSlowJerk));
   const std::vector<Block> blocks = rounded_corner({.first_line_mm = 0.5, .arm_mm = 3e-5}, limits);

@@ -56,7 +56,7 @@ TEST(WaitingCells, LoseNoBlockWhereOnlyCellsStopAtItsBegin) {
   EXPECT_GT(seen, 0);
 }
 
-// A line behind a rest may wait as it is, but not where the motion is on it already.
+// A line after a rest may wait as it is, but not where the motion is on it already.
 TEST(WaitingCells, AreCellsOfABlockThatTheMotionIsOn) {
   const PlanLimits limits = mill();
   const std::vector<Block> blocks = blocks_of(

@@ -71,11 +71,11 @@ TEST(FanucFlow, RunsTheRestOfALineThatBeginsWithAnIf) {
 
 TEST(FanucFlow, RefusesFormsOfIfThatItDoesNotHave) {
   EXPECT_EQ(messages("IF[1EQ1]THEN IF[1EQ1]THEN#2=3\nM30\n"),
-            "1:14: error: IF cannot stand behind THEN: write GOTO\n");
+            "1:14: error: IF cannot stand after THEN: write GOTO\n");
   EXPECT_EQ(messages("IF[1EQ1]THEN WHILE[1EQ0]DO1\nM30\n"),
-            "1:14: error: WHILE cannot stand behind THEN: write GOTO\n");
+            "1:14: error: WHILE cannot stand after THEN: write GOTO\n");
   EXPECT_EQ(messages("IF[1EQ1]THEN (HERE)\n#2=3\nELSE\n#2=4\nENDIF\nM30\n"),
-            "1:13: error: THEN needs a statement behind it in the same line\n"
+            "1:13: error: THEN needs a statement after it in the same line\n"
             "3:1: error: ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks\n"
             "5:1: error: ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks\n");
 }

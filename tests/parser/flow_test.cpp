@@ -105,7 +105,7 @@ TEST(Flow, StopsALoopThatNeverMoves) {
       << "a move of 1e-10 mm, which a hundred steps add up to, is none either";
   EXPECT_EQ(message("o1 while [1]\nG91 G0 X1\nX1 Q5\no1 endwhile\nM2\n"),
             "3:4: error: Q is not used in this block\n"
-            "1:1: error: the loop ran 1000 lines behind an error: it is taken to be endless\n")
+            "1:1: error: the loop ran 1000 lines after an error: it is taken to be endless\n")
       << "the moves of a program with an error are in vain";
   std::string long_program = "o1 if [1]\no1 endif\nG91 G0 X1 Q5\n";
   for (int i = 0; i < 1500; ++i) {

@@ -117,7 +117,7 @@ TEST(Probe, InputsOfTheAssumedMachineAnswerM66) {
   EXPECT_EQ(steps_of("M66 P4 L4 Q5\nG0 X[#5399]").at(1), "2: rapid to -1 0 0");
 }
 
-// Everything of the block comes out, and nothing behind it is read before the answer.
+// Everything of the block comes out, and nothing after it is read before the answer.
 TEST(Probe, WaitsForTheMachineThatIsAsked) {
   ReaderOptions options;
   options.answers.is_asked = true;

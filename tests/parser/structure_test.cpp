@@ -87,7 +87,7 @@ TEST(Structure, NamesWhatFitsNowhere) {
             Faults{"3: break outside a loop"});
   EXPECT_EQ(faults_of("o100 return"), Faults{"1: return outside a sub"});
   EXPECT_EQ(faults_of("o1 if [1]\no1 else\no1 elseif [1]\no1 endif"),
-            Faults{"3: o1 elseif behind the else of this if"});
+            Faults{"3: o1 elseif after the else of this if"});
 }
 
 TEST(Structure, RefusesSubsInsideEachOtherAndTwice) {

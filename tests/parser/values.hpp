@@ -1,4 +1,4 @@
-// The value of X in blocks that are read one behind the other with the same variables.
+// The value of X in blocks that are read one after the other with the same variables.
 #pragma once
 
 #include <sstream>

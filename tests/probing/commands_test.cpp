@@ -8,7 +8,7 @@
 namespace kerf::test {
 namespace {
 
-// Before a trip, between it and the answer, in the rest behind it, and in a wait for an input.
+// Before a trip, between it and the answer, in the rest after it, and in a wait for an input.
 TEST(ProbeCommands, AHoldAndAnOverrideMayComeAtAnyTick) {
   const MachineSettings settings = touching(TouchPlane{.point_mm = {0.0, 0.0, -2.0}}, false);
   const std::string text =
@@ -40,7 +40,7 @@ TEST(ProbeCommands, AHoldAndAnOverrideMayComeAtAnyTick) {
   }
 }
 
-// The wait behind a block comes before that for the machine, which is asked by then.
+// The wait after a block comes before that for the machine, which is asked by then.
 TEST(ProbeCommands, InSingleBlockEachBlockIsResumedAndTheMachineStillAnswers) {
   const MachineSettings settings = touching(TouchPlane{.point_mm = {0.0, 0.0, -2.0}}, true);
   const std::string text =

@@ -38,7 +38,7 @@ const Level kHigh = [](std::size_t /*tick*/) { return true; };
 const Level kHighFrom500 = [](std::size_t tick) { return tick >= 500; };
 const Level kLowFrom500 = [](std::size_t tick) { return tick < 500; };
 
-constexpr std::size_t kPause = 50;  // behind an answer
+constexpr std::size_t kPause = 50;  // after an answer
 constexpr std::size_t kBeside = 4;  // where the tool comes and goes
 
 TEST(Inputs, AtOnceIsTheInputAtThatTime) {
@@ -73,7 +73,7 @@ TEST(Inputs, AWaitInVainLastsAsLongAsItSays) {
   const std::size_t at_once = wait("P5 L0", kLow).ticks;
   const Waited vain = wait("P5 L3 Q0.2", kLow);
   EXPECT_EQ(vain.answer, -1.0);
-  EXPECT_EQ(vain.ticks, at_once - 1 + 200);  // an input is read a tick behind the rest
+  EXPECT_EQ(vain.ticks, at_once - 1 + 200);  // an input is read a tick after the rest
 }
 
 TEST(Inputs, AHoldInAWaitComesBehindItWithAnOverrideOrNot) {

@@ -120,7 +120,7 @@ TEST(ProbeCodes, AHoldOnTheWayIsHeldAndTheProbeGoesOn) {
   EXPECT_EQ(run.ticks[590].v_mm_s, 0.0);
 }
 
-// At every tick of some, so that the trip comes before, in and behind the hold's braking.
+// At every tick of some, so that the trip comes before, in and after the hold's braking.
 TEST(ProbeCodes, AHoldBesideTheTripLosesNeither) {
   const char* const text = "G21 G61 F600\nG38.2 Z-20\nG91 G1 X5\n(PRINT,#5063)\nM2\n";
   std::size_t trip = 0;

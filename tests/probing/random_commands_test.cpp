@@ -77,7 +77,7 @@ class RandomOperator {
       is_held_ = false;
       given_ = tick;
     } else if (run.status == TickStatus::waiting && is_long) {
-      kernel.resume();  // behind a block, in single block
+      kernel.resume();  // after a block, in single block
       given_ = tick;
     }
     if (tick == kQuietFrom) {

@@ -1,4 +1,4 @@
-// Behind M3, M4 and a new S the tool rests until the spindle is at its speed.
+// After M3, M4 and a new S the tool rests until the spindle is at its speed.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRadPerTurn = 6.283185307179586;
 constexpr double kPerMin_s = 1500.0;  // revolutions per minute that the spindle gains in a second
-constexpr std::size_t kPause = 50;    // behind an answer
+constexpr std::size_t kPause = 50;    // after an answer
 constexpr std::size_t kBeside = 6;    // where the tool comes and goes
 
 MachineSettings table(bool waits) {
@@ -64,7 +64,7 @@ TEST(SpindleWait, IsAssumedWhereThereAreNoTicksToAskAt) {
     rests += setpoint.position_mm == before.position_mm ? 1 : 0;
     before = setpoint;
   }
-  // Behind each answer what follows is planned in 50 ms, as where the machine is asked.
+  // After each answer what follows is planned in 50 ms, as where the machine is asked.
   EXPECT_NEAR(static_cast<double>(rests), 1000.0 * (3000.0 + 4500.0) / kPerMin_s + 2.0 * 50.0,
               2.0 * kBeside);
 }

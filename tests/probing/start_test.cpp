@@ -28,7 +28,7 @@ double lowest_mm(const TableRun& run) {
 }
 
 // Found by reading: the reader was told to ask only once the first part of the path had left the
-// smoother, which has read what comes behind it by then.
+// smoother, which has read what comes after it by then.
 TEST(StartWithQuestions, AProbeAtTheStartOrRightBehindItEndsAtItsContact) {
   for (const std::string mode : {"G61", "G64 P0.01"}) {
     for (const std::uint64_t blocks_before : {2U, 3U, 4U, 5U}) {
@@ -66,7 +66,7 @@ TEST(StartWithQuestions, AnInputIsReadWhereTheProgramAsksForIt) {
 }
 
 // Found by reading: the answer to the question of the way was given to the reader, which had not
-// asked, and the path behind it began elsewhere.
+// asked, and the path after it began elsewhere.
 TEST(StartWithQuestions, TheToolWaitsForTheSpindleAboveTheStart) {
   MachineSettings settings = exact_machine();
   settings.program.waits_for_spindle = true;

@@ -1,4 +1,4 @@
-// The time that is left behind a probe, which ends earlier than its block.
+// The time that is left after a probe, which ends earlier than its block.
 #include <vector>
 
 #include <gtest/gtest.h>

@@ -85,7 +85,7 @@ TEST(SarifDiagnostics, GiveThePlaceInCharacters) {
   EXPECT_EQ(run["columnKind"], "unicodeCodePoints");
   const json& place = run["results"][0]["locations"][0]["physicalLocation"];
   EXPECT_EQ(place["region"]["startLine"], 3);
-  EXPECT_EQ(place["region"]["startColumn"], 9) << "byte 11 behind two characters of two bytes";
+  EXPECT_EQ(place["region"]["startColumn"], 9) << "byte 11 after two characters of two bytes";
   const std::string uri = place["artifactLocation"]["uri"];
   EXPECT_EQ(uri, file_uri("a part.ngc"));
 }

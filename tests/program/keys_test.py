@@ -157,7 +157,7 @@ class Keys(Case):
             time.sleep(1.5)
             self.press(b"\n")
         self.finish(process, 0)
-        self.assertIn(b"waiting at line 2 behind a block (single block): Enter goes on\n", self.said)
+        self.assertIn(b"waiting at line 2 after a block (single block): Enter goes on\n", self.said)
 
     def test_a_program_that_waits_for_its_start_says_so(self):
         process = self.start(LINE, "--wait-start", "-q")

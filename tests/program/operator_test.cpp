@@ -12,7 +12,7 @@ namespace {
 using test::Shop;
 using State = ControllerState;
 
-// A round of the thread that plans, and a tick behind it.
+// A round of the thread that plans, and a tick after it.
 void tick(Operator& by, Shop& shop, int count = 1) {
   for (int i = 0; i < count; ++i) {
     by.carry_out();
@@ -173,7 +173,7 @@ TEST(Operator, BeginsNothingBehindTheProgram) {
 }
 
 // Found with a client: a stop by the system before the program was given once, in vain, and what
-// began behind it waited for its text for ever.
+// began after it waited for its text for ever.
 TEST(Operator, BeginsNothingOnceTheRunEnds) {
   Shop shop;
   Operator by(shop.controller, true);

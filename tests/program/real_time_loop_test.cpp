@@ -54,7 +54,7 @@ RunOutcome run_on(machine::Machine& machine, Controller& controller, Operator& b
   return run_on(machine, controller, by, text);
 }
 
-// A table under which the program is started within a tick, behind its setpoint.
+// A table under which the program is started within a tick, after its setpoint.
 class StartedWithinATick final : public machine::Machine {
  public:
   StartedWithinATick(const MachineSettings& settings, Operator& by)

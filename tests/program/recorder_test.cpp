@@ -1,4 +1,4 @@
-// Records behind the tick: what is too slow loses rows, and says how many.
+// Records after the tick: what is too slow loses rows, and says how many.
 #include "programs/kerf/run/recorder.hpp"
 
 #include <algorithm>

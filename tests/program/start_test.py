@@ -98,16 +98,16 @@ class Start(Case):
             self.assertIn(words, stderr)
 
     def test_names_the_lines_around_a_curve_compensation_and_a_cycle(self):
-        self.refused(CURVE, 5, "line 5 is no place to start at", "within a curve", "line 3 before it", "line 9 behind it")
-        self.refused(COMPENSATED, 5, "cutter compensation is on", "line 3 before it", "line 8 behind it")
+        self.refused(CURVE, 5, "line 5 is no place to start at", "within a curve", "line 3 before it", "line 9 after it")
+        self.refused(COMPENSATED, 5, "cutter compensation is on", "line 3 before it", "line 8 after it")
         for line in (6, 7):
-            self.refused(ENDED, line, "cutter compensation ends with its motion", "line 3 before it", "line 8 behind it")
-        self.refused(CYCLE, 4, "a canned cycle is in force", "line 3 before it", "line 7 behind it")
+            self.refused(ENDED, line, "cutter compensation ends with its motion", "line 3 before it", "line 8 after it")
+        self.refused(CYCLE, 4, "a canned cycle is in force", "line 3 before it", "line 7 after it")
 
     def test_does_not_start_behind_a_probe_whose_machine_is_another(self):
         program = self.path("measured.ngc", MEASURED)
         stderr = self.kerf("run", program, "--from-line", "5", "--driver", "loopback", "--yes", status=1).stderr
-        for words in ("line 5 is no place to start at", "behind a probe", "one can start at line 3 before it"):
+        for words in ("line 5 is no place to start at", "after a probe", "one can start at line 3 before it"):
             self.assertIn(words, stderr)
         self.assertEqual(self.started(program, 5)["start"]["line"], 5)
 
@@ -120,7 +120,7 @@ class Start(Case):
                 self.assertEqual("answer to M66, first in line 3, is not known: taken as [simulation] has it" in stderr, said)
 
     def test_names_the_lines_around_a_merged_run(self):
-        self.refused(MERGED, 6, "within a curve that G64 made of several lines", "line 3 before it", "behind it")
+        self.refused(MERGED, 6, "within a curve that G64 made of several lines", "line 3 before it", "after it")
 
     def test_takes_the_line_before_where_it_is_asked_to(self):
         for text, line, before in ((CURVE, 5, 3), (COMPENSATED, 5, 3), (CYCLE, 4, 3), (MERGED, 6, 3)):

@@ -56,7 +56,7 @@ TEST(StatusLine, CallsForAnAnswerByWhatAsksForIt) {
             "waiting at line 3 for the pallet change (M60): Enter goes on");
   EXPECT_EQ(call(WaitCause::tool_change), "waiting at line 3 for tool 12 (M6): Enter goes on");
   EXPECT_EQ(call(WaitCause::block_end),
-            "waiting at line 3 behind a block (single block): Enter goes on");
+            "waiting at line 3 after a block (single block): Enter goes on");
   EXPECT_EQ(call(WaitCause::none), "waiting at line 3 for an operator: Enter goes on");
 }
 

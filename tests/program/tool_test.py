@@ -42,7 +42,7 @@ class Tools(ControlCase):
             client.read_until(type="event", state="waiting", waits_for="answer")
             self.assertEqual(client.ask("tool", number=2, length_mm=7)["reason"], why)
             self.assertTrue(client.ask("resume")["accepted"])
-        # At its own change behind the start a tool may have another length.
+        # At its own change after the start a tool may have another length.
         client.read_until(type="event", state="waiting", waits_for="answer")
         self.assertTrue(client.ask("tool", number=3, length_mm=7)["accepted"])
         self.assertTrue(client.ask("resume")["accepted"])

@@ -63,7 +63,7 @@ std::vector<Position> random_points(std::uint64_t seed) {
   return points;
 }
 
-// Three lines are merged behind a corner of 36 degrees. The spline nearest to them begins across
+// Three lines are merged after a corner of 36 degrees. The spline nearest to them begins across
 // them, by 121 degrees, and would make a cusp of it.
 TEST(MergedLines, JoinALineNoMoreSharplyThanTheyDoInTheProgram) {
   EXPECT_EQ(sharper_joints({{0, 0, 0},

@@ -27,7 +27,7 @@ double to_segment_mm(const Position& point, const Position& from, const Position
   return (seen - share * chord).norm();
 }
 
-// The points behind the begin of the stretch, up to its end.
+// The points after the begin of the stretch, up to its end.
 void add_stretch(const curves::Curve& curve, const curves::Stretch& stretch, int halvings,
                  std::vector<Position>& points) {
   const Position begin = curves::position_at(curve, stretch.begin_mm);

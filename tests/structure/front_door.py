@@ -20,7 +20,7 @@ NAME = re.compile(r"`(\w+)(?:\([^`]*\))?`")
 
 
 def public_part(kind, body):
-    """What stands behind public:, up to the next private: or protected:."""
+    """What stands after public:, up to the next private: or protected:."""
     parts = re.split(r"^ (public|private|protected):$", body, flags=re.MULTILINE)
     access = "public" if kind == "struct" else "private"
     found = parts[0] if access == "public" else ""

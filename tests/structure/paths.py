@@ -10,7 +10,7 @@ import sys
 sys.dont_write_bytecode = True
 from sources import project_files  # noqa: E402
 
-# Not behind a letter, dot or slash: those are parts of addresses and relative paths.
+# Not after a letter, dot or slash: those are parts of addresses and relative paths.
 PLACE = re.compile(rb"(?<![\w./~$}-])/(?:work|home|root|Users|mnt|media)/[\w.]+|[A-Z]:\\Users\\")
 
 

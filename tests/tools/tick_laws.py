@@ -5,7 +5,7 @@
 
 The trace is one curve from rest to rest, first tick at rest on its first point. Checked:
   clock      row i is at i periods after the first
-  on_curve   a tick lies within 1e-9 mm of the curve (plus what ten printed decimals lose), and never behind the one before
+  on_curve   a tick lies within 1e-9 mm of the curve (plus what ten printed decimals lose), and never after the one before
   length     s_mm grows by the arc length between ticks: feedrate fluctuation below 1e-6 of the plan
   plan       v_mm_s, a_mm_s2 and j_mm_s3 are the derivatives of s_mm as far as a bounded jerk allows
   limits     the planned v, a and j keep the limits along the path without any tolerance

@@ -18,7 +18,7 @@ constexpr double kMaxTicks = 8.0;
 // Where the feedrate rises or falls for seconds, a window is to reach from a rest to the next one:
 // it has no more cells than this on the way up, and as many on the way down.
 constexpr double kMaxOnLeg = 1000.0;
-// Behind a ramp to a feedrate next to none a tick goes nowhere: a block has no more cells for that.
+// After a ramp to a feedrate next to none a tick goes nowhere: a block has no more cells for that.
 constexpr double kMostWhereSlow = 20'000.0;
 constexpr double kGrowth = 0.08;  // of a cell over its distance from where something happens
 // Curvature, or a change of feedrate, takes part in the limits where it takes this share of one.

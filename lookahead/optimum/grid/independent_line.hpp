@@ -24,7 +24,7 @@ struct LineJunctions {
 bool is_independent_line(const Block& block, const LineJunctions& junctions);
 
 // The last lines of a row of independent ones, as many as the look-ahead keeps behind what it plans
-// for good. As long as more may come the plan ends at rest behind them, and over each of them it
+// for good. As long as more may come the plan ends at rest after them, and over each of them it
 // brakes without acceleration at either end: dv = J (L / 2v)^2, so v^3 falls by 3/4 J L^2, or by
 // 3/2 A L v where the line is long enough to come to A.
 class LinesAhead {
@@ -34,7 +34,7 @@ class LinesAhead {
   void clear();
   // v_begin_mm_s: at its begin.
   void push(const Block& line, double v_begin_mm_s);
-  // False: they are too short to brake on from where the first begins, so the rest behind them
+  // False: they are too short to brake on from where the first begins, so the rest after them
   // would make the row slower than its junctions do.
   [[nodiscard]] bool are_long_enough() const;
 

@@ -12,7 +12,7 @@ namespace kerf::lookahead {
 namespace {
 
 constexpr double kSupportTicks = 3.0;  // of a third difference
-// The feedrate is not below 0 before a junction or behind it, so at feedrate v the acceleration is
+// The feedrate is not below 0 before a junction or after it, so at feedrate v the acceleration is
 // sqrt(2 J v) at the most. Where the path bends J may be more than on a straight line; so much
 // more.
 constexpr double kMostOfJerk = 2.0;

@@ -29,7 +29,7 @@ constexpr double kAllShares = 0.99;
 constexpr double kDynamic = 0.998;
 constexpr double kMaxOfTurn = 0.1;
 constexpr double kMinDynamic = 0.75;
-// Of the feedrate now, that at a junction just behind it.
+// Of the feedrate now, that at a junction just after it.
 constexpr double kAtMostOfPassed = 2.0;
 constexpr double kSmooth = 1e-9;    // of the path's feedrate and of further axes
 constexpr double kStepPeak = 0.75;  // of a step of acceleration in a third difference

@@ -76,7 +76,7 @@ void WaitingCells::push(const Window<Block>& blocks) {
   }
 }
 
-// Where only its cells stop at its begin, the last block stands behind a rest once the lines before
+// Where only its cells stop at its begin, the last block stands after a rest once the lines before
 // it are cells, and may be a line by itself.
 void WaitingCells::close(const Window<Block>& blocks) {
   while (open_ && open_->whole_line) {
@@ -117,7 +117,7 @@ void WaitingCells::make_cells_of_lines(const Window<Block>& blocks) {
 
 void WaitingCells::push_cells(std::uint64_t number, const Window<Block>& blocks,
                               double passed_mm_s) {
-  OpenBlock next{.number = number};  // behind a stop
+  OpenBlock next{.number = number};  // after a stop
   const Block& after = numbered(number, blocks);
   next.own = end_feeds_of(BlockPath(after, limits_), limits_);
   if (open_) {

@@ -39,7 +39,7 @@ class WaitingCells {
 
   // The window's last block.
   void push(const Window<Block>& blocks);
-  // The same, as cells though it may be an independent line, even behind a rest: the motion may be
+  // The same, as cells though it may be an independent line, even after a rest: the motion may be
   // on it already. passed_mm_s: at which it has just passed the junction before; 0: it has not.
   void push_as_cells(const Window<Block>& blocks, double passed_mm_s = 0.0) {
     const std::uint64_t number = pushed_++;

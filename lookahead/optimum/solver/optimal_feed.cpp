@@ -103,7 +103,7 @@ class Search {
     double length = 1.0;
     for (int k = 0; k < kHalvings; ++k) {
       try_step(length);
-      // What is derived behind the last step would have this stage's weights.
+      // What is derived after the last step would have this stage's weights.
       const BarrierObjective::Value now = is_last ? objective_.value(trial_, weights_)
                                                   : objective_.derive(trial_, weights_, system_);
       if (now.objective_s <= value_s_ + kArmijo * length * slope) {

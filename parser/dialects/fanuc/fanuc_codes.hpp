@@ -36,7 +36,7 @@ void count_in_least_increments(const ModalState& state, double least_increment_m
                                BlockWords& block);
 
 // end_of_block.cpp. Fanuc listings write the end of a block as ';', where other controls begin a
-// comment. True: the text behind a ';' is words, as in `G1 X5; G1 Y7;`, and no remark.
+// comment. True: the text after a ';' is words, as in `G1 X5; G1 Y7;`, and no remark.
 bool reads_as_block(std::string_view text);
 
 }  // namespace kerf::parser

@@ -10,12 +10,12 @@ namespace {
 constexpr int kAlarm = 3000;
 constexpr int kMessage = 3006;
 
-// Three axes that begin behind `first`; 3 where the number is none of them.
+// Three axes that begin after `first`; 3 where the number is none of them.
 std::size_t axis_behind(int first, int number) {
   return number > first && number <= first + 3 ? static_cast<std::size_t>(number - first - 1) : 3;
 }
 
-// The work offset and its axis behind a number: #5221 is X of G54 and 20 further on is G55; #7001
+// The work offset and its axis after a number: #5221 is X of G54 and 20 further on is G55; #7001
 // is X of G54.1 P1, up to P48, and #14001 too, up to P300.
 struct WorkPlace {
   std::size_t system = 0;

@@ -11,7 +11,7 @@
 
 namespace kerf::program {
 
-// A reader that has seen enough of standard output is no error; a full disk behind it is one.
+// A reader that has seen enough of standard output is no error; a full disk after it is one.
 ExitStatus print(int descriptor, std::string_view text);
 
 // On standard error.

@@ -15,7 +15,7 @@ namespace kerf::program {
 // nothing else. The destructor writes what is left.
 class MessagePrinter {
  public:
-  // How waits are written, once each: all; but those behind each block of single block, where a
+  // How waits are written, once each: all; but those after each block of single block, where a
   // status line shows them; or none, for nobody is there to answer.
   enum class Waits : unsigned char { none, all_but_block_ends, all };
 

@@ -41,7 +41,7 @@ class Operator {
   // In the thread that plans, as all below.
   void carry_out();
   tl::expected<void, Refusal> give(const OperatorOrder& order);
-  // Behind the search for the home switches; where that is refused or stopped, no program runs.
+  // After the search for the home switches; where that is refused or stopped, no program runs.
   tl::expected<void, Refusal> home_and_start();
   // The run ends, program or not: nothing begins to move any more.
   void end_run() noexcept;

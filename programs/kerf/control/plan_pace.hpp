@@ -53,7 +53,7 @@ class PlanPace {
 
   // Any thread. Nobody waits any more, and nothing more is noted.
   void end();
-  // Behind end(). Of a run once more: as it was.
+  // After end(). Of a run once more: as it was.
   [[nodiscard]] PlanRecord record() const;
 
  private:

@@ -53,7 +53,7 @@ void PlanRecord::add_look(std::int64_t tick) {
 }
 
 void PlanRecord::take_back_look() {
-  if (looks_ > 0) {  // else an order came behind it
+  if (looks_ > 0) {  // else an order came after it
     --looks_;
   }
 }

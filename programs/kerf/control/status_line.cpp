@@ -21,7 +21,7 @@ std::string awaited_answer(const ControllerStatus& status) {
     case WaitCause::tool_change:
       return fmt::format("for tool {} (M6)", status.setpoint.outputs.tool);
     case WaitCause::block_end:
-      return "behind a block (single block)";
+      return "after a block (single block)";
     case WaitCause::start:
       return "for an operator (start here)";
     case WaitCause::none:

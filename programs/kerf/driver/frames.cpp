@@ -157,7 +157,7 @@ std::uint32_t checksum(std::span<const std::byte> bytes) noexcept {
   return sum.checksum();
 }
 
-// The bytes behind the last field stay 0.
+// The bytes after the last field stay 0.
 template <std::size_t kBytes>
 void seal(std::array<std::byte, kBytes>& bytes) noexcept {
   const std::uint32_t sum = checksum(std::span(bytes).first(kBytes - kChecksumBytes));

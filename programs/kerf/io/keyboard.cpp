@@ -18,7 +18,7 @@ std::atomic<bool> is_changed = false;
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 // Of what a terminal sends for an arrow and the like: Esc, '[' or 'O', parameters, a letter. 0: it
-// begins with none. An Esc with anything else behind it is the key, pressed.
+// begins with none. An Esc with anything else after it is the key, pressed.
 std::size_t length_of_sequence(std::string_view bytes) noexcept {
   if (bytes.size() < 2 || bytes[0] != '\x1b' || (bytes[1] != '[' && bytes[1] != 'O')) {
     return 0;

@@ -26,7 +26,7 @@ tl::expected<Descriptor, std::string> lock_name(const std::string& machine_file)
   const std::string name = fmt::format("kerf-{:016x}", std::hash<std::string>{}(path));
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  std::ranges::copy(name, std::span(address.sun_path).subspan(1).begin());  // behind a zero
+  std::ranges::copy(name, std::span(address.sun_path).subspan(1).begin());  // after a zero
   Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   if (!socket.is_open() ||

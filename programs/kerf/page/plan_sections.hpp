@@ -1,4 +1,4 @@
-// The parts of a plan behind its header: docs/page-data.md.
+// The parts of a plan after its header: docs/page-data.md.
 #pragma once
 
 #include <string>

@@ -100,7 +100,7 @@ void draw_tripod(SvgCanvas& canvas, const PixelBox& frame, const Scale& scale) {
               {.anchor = Anchor::middle, .size = 11.0});
 }
 
-// Numbers of the unit behind those of mm/s.
+// Numbers of the unit after those of mm/s.
 void draw_other_numbers(SvgCanvas& canvas, const PixelBox& bar, double max_v_mm_s, FeedUnit unit) {
   const double left = bar.right() + kBarNumbers;
   const double factor = per_mm_s(unit);

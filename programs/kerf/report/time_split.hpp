@@ -17,10 +17,10 @@ struct TimeSplit {
 };
 
 // Where changes take time, of the machine or until somebody answers, the new tool is there from the
-// first tick of it on; so it is in the rest behind one that takes none.
+// first tick of it on; so it is in the rest after one that takes none.
 enum class ToolChange : std::uint8_t { takes_none, takes_time };
 
-// Rests of one line, one after the other, are a tool change if the spindle has another tool behind
+// Rests of one line, one after the other, are a tool change if the spindle has another tool after
 // them.
 class TimeAccount {
  public:

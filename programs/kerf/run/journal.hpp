@@ -43,7 +43,7 @@ struct Journal {
   std::optional<JournalledPlace> on_path{};
   std::string change{};              // Operator::first_change(); empty: there was none
   std::optional<int> exit_status{};  // of its end; nothing: it was not brought to one
-  std::size_t valid_bytes = 0;       // what is behind them is torn
+  std::size_t valid_bytes = 0;       // what is after them is torn
 
   // The block at which the tool was last.
   [[nodiscard]] std::uint64_t block() const noexcept {
@@ -57,11 +57,11 @@ tl::expected<Journal, std::string> read_journal(std::string_view bytes);
 // The same of a file; also: it cannot be read.
 tl::expected<Journal, std::string> read_journal_file(const std::string& path);
 
-// Each record is on the disk once its call is over. Behind one that could not be written there are
+// Each record is on the disk once its call is over. After one that could not be written there are
 // no more. Not for the tick side.
 class JournalWriter {
  public:
-  // The file is made anew, or goes on behind its valid bytes. Error: what the system says.
+  // The file is made anew, or goes on after its valid bytes. Error: what the system says.
   static tl::expected<JournalWriter, std::string> open(const std::string& path,
                                                        const JournalledRun& run,
                                                        std::size_t valid_bytes);

@@ -88,7 +88,7 @@ bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& repor
   }
   KernelOptions kernel_options = how.kernel_options;
   if (how.options.from_line || how.options.continues) {
-    kernel_options.refuses_waits = false;  // those behind the start are looked for once it is known
+    kernel_options.refuses_waits = false;  // those after the start are looked for once it is known
   }
   const auto found = check_pass(file, how.settings, kernel_options,
                                 {.max_time_s = how.options.max_time_s,

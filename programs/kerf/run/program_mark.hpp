@@ -24,7 +24,7 @@ class ProgramMark {
   // gives.
   [[nodiscard]] SubprogramSource noting(SubprogramSource subprograms);
 
-  // Of the program and of all subprograms so far: call it behind a check. The file is read from its
+  // Of the program and of all subprograms so far: call it after a check. The file is read from its
   // begin to its end. Error: it cannot be read.
   [[nodiscard]] tl::expected<std::uint64_t, std::string> of(ProgramFile& file,
                                                             const KernelOptions& options) const;

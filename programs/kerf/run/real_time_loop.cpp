@@ -101,7 +101,7 @@ bool is_starved(const Controller& controller) noexcept {
   return what == WaitsFor::text || what == WaitsFor::planning;
 }
 
-// Idle before the program is no end. To be asked before the tick: a start that comes behind it
+// Idle before the program is no end. To be asked before the tick: a start that comes after it
 // would be taken for a program that has ended.
 bool is_end_where_idle(const RealTimeOrder& order) noexcept {
   return order.by.has_started() || order.by.has_stopped() || stop_requested();
@@ -202,7 +202,7 @@ class Ticks {
     if (stage_.ticks.fault().kind != machine::DriveFault::none) {
       if (stage_.ticks.stops_on_path()) {
         planning.stop();
-      } else if (!std::exchange(has_failed_, true)) {  // an emergency stop behind it stays
+      } else if (!std::exchange(has_failed_, true)) {  // an emergency stop after it stays
         controller.fail();
       }
     }
@@ -211,7 +211,7 @@ class Ticks {
            outcome_.hung;
   }
 
-  // Behind a fault nothing is driven any more.
+  // After a fault nothing is driven any more.
   void emergency_stop() noexcept {
     if (state_ != ControllerState::fault) {
       order_.controller.emergency_stop();
@@ -256,7 +256,7 @@ RunOutcome run_in_real_time(const RealTimeOrder& order, const RunStage& stage) {
   RecorderThread recorder(stage.recorder, has_clock);
   {
     PlanningThread planning(stage.feeder, order);
-    // Behind the other threads: they are not for real time.
+    // After the other threads: they are not for real time.
     std::optional<RealTimeThread> real_time;
     if (order.realtime) {
       real_time.emplace();

@@ -20,11 +20,11 @@ namespace {
 
 std::string safe_lines(const FoundStart& found) {
   if (found.before && found.after) {
-    return fmt::format("one can start at {} before it or at {} behind it", name_of(*found.before),
+    return fmt::format("one can start at {} before it or at {} after it", name_of(*found.before),
                        name_of(*found.after));
   }
   return found.before  ? fmt::format("one can start at {} before it", name_of(*found.before))
-         : found.after ? fmt::format("one can start at {} behind it", name_of(*found.after))
+         : found.after ? fmt::format("one can start at {} after it", name_of(*found.after))
                        : "there is no other place to start at";
 }
 
@@ -109,7 +109,7 @@ class Choice {
     report_.fail(ExitStatus::program_error, report_.file + ": " + why);
   }
 
-  // True: somebody is to answer behind the start, and nobody is there; the report says where.
+  // True: somebody is to answer after the start, and nobody is there; the report says where.
   bool waits_for_nobody(const StartInProgram& start) {
     if (!order_.kernel_options.refuses_waits) {
       return false;

@@ -91,7 +91,7 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
       waiting_.pop_front();
     }
   }
-  // Nothing moves behind what is left.
+  // Nothing moves after what is left.
   void end() {
     for (Candidate& candidate : waiting_) {
       if (!is_over()) {
@@ -123,7 +123,7 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
   }
 
  private:
-  // Behind a G40 the tool is where compensation had it, and not in the program's place, until it
+  // After a G40 the tool is where compensation had it, and not in the program's place, until it
   // moves.
   bool is_beside_contour(const parser::UpcomingBlock& block) {
     if (is_compensated(block)) {
@@ -138,14 +138,14 @@ class Search final : public PipelineObserver, public parser::BlockWatcher {
     std::uint16_t file = 0;
     LineRound place;
     std::string_view refused;
-    std::uint64_t first_move = 0;  // the block of its first move, or of the first behind it
+    std::uint64_t first_move = 0;  // the block of its first move, or of the first after it
     bool is_target = false;
   };
 
   [[nodiscard]] std::string_view refusal_of(const Candidate& candidate) const {
     const bool is_behind_probe = first_probe_ && candidate.place.blocks_before >= *first_probe_;
     return candidate.refused.empty() && is_behind_probe
-               ? "it is behind a probe, and what that found is not known"
+               ? "it is after a probe, and what that found is not known"
                : candidate.refused;
   }
 

@@ -24,7 +24,7 @@ struct TickCost {
   std::vector<std::string> not_permitted{};  // RealTimeThread
 
   // The shortest of 10, 20, 50 us ... 0.1 s into which the worst delay and the worst tick fit one
-  // behind the other; nothing: none.
+  // after the other; nothing: none.
   [[nodiscard]] std::optional<double> shortest_period_s() const noexcept;
 };
 

@@ -59,7 +59,7 @@ class TickStage {
     return record;
   }
 
-  // Behind the last tick, which is at rest: setpoints there follow, one a call of `next_period`,
+  // After the last tick, which is at rest: setpoints there follow, one a call of `next_period`,
   // until the machine has answered to it. A fault that is found so is the run's.
   template <typename NextPeriod>
   void hear_out(Setpoint last, const NextPeriod& next_period) noexcept {

@@ -30,7 +30,7 @@ class TicksAhead {
   TicksAhead(const TicksAhead&) = delete;
   TicksAhead& operator=(const TicksAhead&) = delete;
 
-  // Not behind the last one. said: by the machine, as of the tick before. An error of the other
+  // Not after the last one. said: by the machine, as of the tick before. An error of the other
   // threads is thrown here.
   template <typename Inputs>
   const Tick& next(const Inputs& said) {

@@ -14,7 +14,7 @@
 namespace kerf::test {
 namespace {
 
-// A message, the way back behind a program that was stopped, a wait, and all that the mixed program
+// A message, the way back after a program that was stopped, a wait, and all that the mixed program
 // has.
 std::string text_with_waits() {
   return "(MSG, begins)\nG21 G90 G0 X0 Y0 Z0\nM0\n" + mixed_program();
