@@ -1,66 +1,10 @@
 // The playground as its visitors meet it: opened from disk in Chromium without a network, beside what kerf itself says.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { pathToFileURL } from "node:url";
-import { chromium, type Browser, type Page } from "playwright-core";
+import { test } from "node:test";
 import { clock } from "../src/units.ts";
-
-const KERF = process.env["KERF"] ?? "";
-const SOURCE = process.env["KERF_SOURCE"] ?? "";
-const folder = mkdtempSync(join(tmpdir(), "kerf-playground-"));
-
-let browser: Browser;
-let page: Page;
-const said: string[] = []; // by the console: nothing is to be
-
-before(async () => {
-  browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
-    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--disable-dev-shm-usage", ...(process.getuid?.() === 0 ? ["--no-sandbox"] : [])],
-  });
-  const context = await browser.newContext({ viewport: { width: 1280, height: 720 }, offline: true });
-  page = await context.newPage();
-  page.on("console", (message) => said.push(message.text()));
-  page.on("pageerror", (error) => said.push(String(error)));
-  page.on("request", (request) => {
-    if (!/^(file|blob):/.test(request.url())) said.push(`asked for ${request.url()}`);
-  });
-  await page.goto(pathToFileURL(join(SOURCE, "web", "dist", "index.html")).href);
-  await planned();
-});
-after(async () => {
-  await browser.close();
-  rmSync(folder, { recursive: true });
-});
-
-async function planned(): Promise<void> {
-  await page.waitForFunction(() => /^planned|^not planned/.test(document.querySelector('[data-test="status"]')?.textContent ?? ""), null, { timeout: 120_000 });
-}
-
-// What is done begins another plan; waits until it is there.
-async function after_(doing: () => Promise<unknown>): Promise<void> {
-  await page.evaluate(() => (document.querySelector('[data-test="status"]')!.textContent = ""));
-  await doing();
-  await planned();
-}
-
-const open = (label: string, ...files: string[]): Promise<void> => after_(() => page.locator(`input[aria-label^="${label}"]`).setInputFiles(files));
-const program = (text: string, name: string): string => {
-  const file = join(folder, name);
-  writeFileSync(file, text);
-  return file;
-};
-const shownTime = async (): Promise<string> => (await page.locator('[data-test="cycle-time"]').textContent()) ?? "";
-
-function timeOf(...words: string[]): number {
-  return (JSON.parse(execFileSync(KERF, ["dry-run", "--json", ...words], { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] })) as { cycle_time_s: number }).cycle_time_s;
-}
-
-const secondsOf = (text: string): number => text.replace(/ s$/, "").split(":").reduce((sum, part) => 60 * sum + Number(part), 0);
+import { SOURCE, after_, dist, folder, keyIsThere, open, page, program, said, secondsOf, shownTime, slowProgram, status, timeOf, written } from "./playground.ts";
 
 test("every shipped program takes the time that kerf says, to a thousandth", async () => {
   for (const name of readdirSync(join(SOURCE, "programs")).filter((one) => one.endsWith(".ngc"))) {
@@ -205,7 +149,6 @@ test("of a feed that is typed no digit alone is planned, and one that is none is
   await open("Open a program", file);
   const feed = page.locator('input[aria-label^="Feed override"]');
   const refused = page.locator("[data-test=feed-refused]");
-  const status = (): Promise<string | null> => page.locator('[data-test="status"]').textContent();
   const before = await status();
   await feed.fill("");
   for (const digit of "250") {
@@ -224,19 +167,6 @@ test("of a feed that is typed no digit alone is planned, and one that is none is
   await feed.fill("100");
   await after_(() => feed.press("Enter"));
 });
-
-// Whose path is shown long before its times.
-const slowProgram = (name: string): string => {
-  const lines = Array.from({ length: 5000 }, (_, i) => `G1 X${(80 * Math.sin(i * i)).toFixed(3)} Y${(60 * Math.cos(3 * i * i)).toFixed(3)}`);
-  return program(["G21 G90 G61 F6000", ...lines, "M2", ""].join("\n"), name);
-};
-const written = (): Promise<string> => page.locator(".program-view .cm-line").first().textContent().then((text) => text ?? "");
-
-// The editor shows a key a moment later; then it is to stay.
-async function keyIsThere(expected: string): Promise<void> {
-  for (let i = 0; i < 40 && (await written()) !== expected; ++i) await page.waitForTimeout(25);
-  assert.equal(await written(), expected);
-}
 
 test("no older text takes the place of what is written, and no older run that of what is shown", async () => {
   await open("Open a program", slowProgram("written.ngc"));
@@ -326,5 +256,5 @@ test("texts of a hostile program are shown, not run", async () => {
 
 test("the console says nothing, and nothing is asked of the network", () => {
   assert.deepEqual(said, []);
-  assert.ok(readFileSync(join(SOURCE, "web", "dist", "index.html"), "utf8").includes("default-src 'none'"));
+  assert.ok(readFileSync(dist, "utf8").includes("default-src 'none'"));
 });
