@@ -1,5 +1,5 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, Text, type Extension, type StateEffect } from "@codemirror/state";
+import { EditorState, Text, type Extension } from "@codemirror/state";
 import { EditorView, gutter, keymap, lineNumbers } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
@@ -7,9 +7,8 @@ import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { shortTime } from "../units.ts";
-import { TimeMarker, activeLine, diagnostics, look, scrollWithin, setLine, setPlan } from "./program_marks.ts";
-
-const JUMP_MS = 100;
+import { LineFollower } from "./line_follower.ts";
+import { TimeMarker, activeLine, diagnostics, look, setLine, setPlan } from "./program_marks.ts";
 
 // Of a program that is written here: what the editor can do, and who wants to know the text.
 export interface Editing {
@@ -27,8 +26,7 @@ export class ProgramView {
   private view: EditorView | null = null;
   private plan: Plan | null = null;
   private account: Account | null = null;
-  private line = 0;
-  private later: ReturnType<typeof setTimeout> | undefined; // while the text stays where it is
+  private readonly follower = new LineFollower(() => this.showInstant(true));
   private longest = 1; // ticks of the line that takes longest
   private readonly store: Store;
   private readonly editing: Editing | null;
@@ -74,7 +72,7 @@ export class ProgramView {
 
   // The line of the plan before goes: where the text stays, its editor does, too.
   private showPlan(plan: Plan): void {
-    this.line = 0;
+    this.follower.line = 0;
     this.view?.dispatch({ effects: [setPlan.of(plan), setLine.of(0)] });
     this.showInstant(true);
   }
@@ -112,7 +110,7 @@ export class ProgramView {
       diagnostics,
       look,
       EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(editing === null) }),
-      editing ? [] : EditorView.scrollHandler.of(scrollWithin),
+      this.follower.extension,
       EditorView.updateListener.of((update) => {
         if (update.docChanged) editing?.changed(update.state.doc.toString());
       }),
@@ -137,7 +135,7 @@ export class ProgramView {
   private step(way: 1 | -1): boolean {
     const first = this.account?.firstTick;
     if (!first || !this.view) return false;
-    for (let line = this.line + way; line >= 1 && line <= this.view.state.doc.lines; line += way) {
+    for (let line = this.follower.line + way; line >= 1 && line <= this.view.state.doc.lines; line += way) {
       const tick = first.get(line);
       if (tick !== undefined) {
         this.store.set({ tick, hover: null, playing: false }, "page");
@@ -164,7 +162,7 @@ export class ProgramView {
     const tick = this.tickOf(line);
     if (tick === undefined) return false;
     if (chosen) this.store.set({ tick, hover: null, playing: false }, "program");
-    else if (line !== this.line) this.store.set({ hover: tick }, "program");
+    else if (line !== this.follower.line) this.store.set({ hover: tick }, "program");
     return false;
   }
 
@@ -175,39 +173,9 @@ export class ProgramView {
     const runs = plan?.motion?.runs;
     const run = plan?.runAt(instant) ?? 0;
     // First, for the editor asks the browser where things are: a word written before has all of the page laid out for that.
-    this.markLine(runs?.line[run] ?? 0, scroll);
+    if (this.view) this.follower.mark(this.view, runs?.line[run] ?? 0, scroll);
     this.words.textContent = plan?.inForceAt("words", instant) ?? "";
     this.codes.textContent = plan?.inForceAt("codes", instant) ?? "";
     if (plan?.source === null) this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
-  }
-
-  // To a line that is not seen the text goes at most ten times a second: it costs the browser most of what a frame may take.
-  private markLine(line: number, scroll: boolean): void {
-    if (!this.view || line === this.line || this.later !== undefined) return;
-    this.line = line;
-    const { doc } = this.view.state;
-    const inside = line >= 1 && line <= doc.lines;
-    const effects: StateEffect<unknown>[] = [setLine.of(line)];
-    if (scroll && inside) {
-      const seen = this.isSeen(line);
-      // The editor may still be on its way elsewhere, so it is told of a line that is seen, too.
-      effects.push(EditorView.scrollIntoView(doc.line(line).from, { y: seen ? "nearest" : "center" }));
-      if (!seen) this.rest();
-    }
-    this.view.dispatch({ effects });
-  }
-
-  private rest(): void {
-    this.later = setTimeout(() => {
-      this.later = undefined;
-      this.showInstant(true);
-    }, JUMP_MS);
-  }
-
-  private isSeen(line: number): boolean {
-    const view = this.view!;
-    const block = view.lineBlockAt(view.state.doc.line(line).from);
-    const { scrollTop, clientHeight } = view.scrollDOM;
-    return block.top >= scrollTop && block.bottom <= scrollTop + clientHeight;
   }
 }

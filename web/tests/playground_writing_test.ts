@@ -1,0 +1,28 @@
+// Who writes in the playground: what stays where it is, what is said of a run that is no more of the text, and what opens a file.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+import { SOURCE, open, page, planned, said } from "./playground.ts";
+
+const pocket = join(SOURCE, "programs", "pocket.ngc");
+const settled = (ms = 400): Promise<void> => page.waitForTimeout(ms);
+
+test("the page stays at its head where it is too narrow for panels side by side", async () => {
+  await open("Open a program", pocket);
+  await page.setViewportSize({ width: 820, height: 900 });
+  await page.evaluate(() => scrollTo(0, 0));
+  for (const tick of [60_000, 400, 105_000]) {
+    await page.locator(".scrub").evaluate((input, value) => {
+      (input as HTMLInputElement).value = String(value);
+      input.dispatchEvent(new Event("input"));
+    }, tick);
+    await settled(300);
+    assert.equal(await page.evaluate(() => scrollY), 0);
+  }
+  await page.setViewportSize({ width: 1280, height: 720 });
+});
+
+test("the console says nothing", async () => {
+  await planned();
+  assert.deepEqual(said, []);
+});
