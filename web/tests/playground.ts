@@ -77,6 +77,13 @@ export const slowProgram = (name: string): string => {
 
 export const written = (): Promise<string> => page.locator(".program-view .cm-line").first().textContent().then((text) => text ?? "");
 
+// The caret into the program, to where the keys take it.
+export async function caretTo(...keys: string[]): Promise<void> {
+  await page.locator("[data-tab=program]").click();
+  await page.locator(".program-view .cm-content").focus();
+  for (const key of keys) await page.keyboard.press(key);
+}
+
 // The editor shows a key a moment later; then it is to stay.
 export async function keyIsThere(expected: string): Promise<void> {
   for (let i = 0; i < 40 && (await written()) !== expected; ++i) await page.waitForTimeout(25);

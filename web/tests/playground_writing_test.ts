@@ -2,10 +2,25 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
-import { SOURCE, open, page, planned, said } from "./playground.ts";
+import { SOURCE, after_, caretTo, open, page, planned, said } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
 const settled = (ms = 400): Promise<void> => page.waitForTimeout(ms);
+
+test("a plan of what is typed leaves the text where it is, at the caret", async () => {
+  await open("Open a program", pocket);
+  await caretTo("Control+End");
+  await settled();
+  const top = (): Promise<number> => page.locator(".program-view .cm-scroller").evaluate((panel) => panel.scrollTop);
+  await after_(() => page.keyboard.type("(end)"));
+  const before = await top();
+  assert.ok(before > 100, `scrolled by ${before}`);
+  await settled();
+  assert.equal(await top(), before);
+  await after_(() => page.keyboard.type("(and on)"));
+  await settled();
+  assert.equal(await top(), before);
+});
 
 test("the page stays at its head where it is too narrow for panels side by side", async () => {
   await open("Open a program", pocket);

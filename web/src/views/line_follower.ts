@@ -18,6 +18,12 @@ export class LineFollower {
     this.again = again;
   }
 
+  forget(): void {
+    this.line = 0;
+    clearTimeout(this.later);
+    this.later = undefined;
+  }
+
   // To a line that is not seen the text goes at most ten times a second: it costs the browser most of what a frame may take.
   mark(view: EditorView, line: number, scroll: boolean): void {
     if (line === this.line || this.later !== undefined) return;

@@ -38,7 +38,7 @@ export class ProgramView {
     this.root = this.host.attachShadow({ mode: "open" });
     this.element = h("div", { class: "program-view" }, this.host, this.message, h("div", { class: "codes" }, this.words, " ", this.codes));
     store.listen((_state, change, origin) => {
-      if ("tick" in change || "hover" in change) this.showInstant(origin !== "program");
+      if (!("plan" in change) && ("tick" in change || "hover" in change)) this.showInstant(origin !== "program");
     });
     // Behind another tab it stands still, and comes up with the instant when it is seen again.
     new ResizeObserver(() => this.showInstant(true)).observe(this.element);
@@ -70,11 +70,11 @@ export class ProgramView {
     requestAnimationFrame(() => setTimeout(built));
   }
 
-  // The line of the plan before goes: where the text stays, its editor does, too.
+  // The line of the plan before goes: where the text stays, its editor does, too. Where somebody writes nothing moves.
   private showPlan(plan: Plan): void {
-    this.follower.line = 0;
+    this.follower.forget();
     this.view?.dispatch({ effects: [setPlan.of(plan), setLine.of(0)] });
-    this.showInstant(true);
+    this.showInstant(this.editing === null || this.root.activeElement === null);
   }
 
   // The ticks of some lines of a plan that is on its way.
