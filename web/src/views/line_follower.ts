@@ -1,12 +1,13 @@
 // Takes a text along with the instant: marks its line and goes to where it is seen.
 import { EditorSelection, type Extension, type SelectionRange, type StateEffect } from "@codemirror/state";
 import { EditorView } from "@codemirror/view";
+import { plannedLines } from "./planned_lines.ts";
 import { scrollWithin, setLine } from "./program_marks.ts";
 
 const JUMP_MS = 100;
 
 export class LineFollower {
-  line = 0; // 0: none
+  line = 0; // of the text that was planned; 0: none
   // The caret goes where the editor takes it.
   readonly extension: Extension = EditorView.scrollHandler.of((view, range, how) => range === this.target && scrollWithin(view, range, how));
   private target: SelectionRange | null = null;
@@ -28,11 +29,10 @@ export class LineFollower {
   mark(view: EditorView, line: number, scroll: boolean): void {
     if (line === this.line || this.later !== undefined) return;
     this.line = line;
-    const { doc } = view.state;
-    const inside = line >= 1 && line <= doc.lines;
-    const effects: StateEffect<unknown>[] = [setLine.of(line)];
-    if (scroll && inside) {
-      const { from } = doc.line(line);
+    const now = view.state.field(plannedLines)?.nowOf(line) ?? 0;
+    const effects: StateEffect<unknown>[] = [setLine.of(now)];
+    if (scroll && now > 0) {
+      const { from } = view.state.doc.line(now);
       const seen = isSeen(view, from);
       this.target = EditorSelection.cursor(from);
       // The editor may still be on its way elsewhere, so it is told of a line that is seen, too.

@@ -4,8 +4,10 @@ import { Decoration, EditorView, GutterMarker, WidgetType, type DecorationSet } 
 import type { Diagnostic } from "../plan/decode.ts";
 import type { Plan } from "../plan/plan.ts";
 import { h } from "../ui/dom.ts";
+import { isReplaced, setPlan } from "./planned_lines.ts";
 
 export const setLine = StateEffect.define<number>(); // 1-based; 0: none
+export const setTimes = StateEffect.define(); // those of lines are others
 export const activeLine = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(decorations, transaction) {
@@ -15,7 +17,7 @@ export const activeLine = StateField.define<DecorationSet>({
       if (effect.value < 1 || effect.value > doc.lines) return Decoration.none;
       return Decoration.set([Decoration.line({ class: "cm-now" }).range(doc.line(effect.value).from)]);
     }
-    return decorations.map(transaction.changes);
+    return isReplaced(transaction) ? Decoration.none : decorations.map(transaction.changes);
   },
   provide: (field) => EditorView.decorations.from(field),
 });
@@ -70,12 +72,12 @@ function diagnosticsOf(plan: Plan, doc: Text): DecorationSet {
   return builder.finish();
 }
 
-export const setPlan = StateEffect.define<Plan>();
 export const diagnostics = StateField.define<DecorationSet>({
   create: () => Decoration.none,
   update(decorations, transaction) {
     const planned = transaction.effects.find((effect) => effect.is(setPlan));
-    return planned ? diagnosticsOf(planned.value as Plan, transaction.state.doc) : decorations.map(transaction.changes);
+    if (planned) return diagnosticsOf(planned.value as Plan, transaction.state.doc);
+    return isReplaced(transaction) ? Decoration.none : decorations.map(transaction.changes);
   },
   provide: (field) => EditorView.decorations.from(field),
 });

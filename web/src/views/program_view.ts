@@ -8,7 +8,8 @@ import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { shortTime } from "../units.ts";
 import { LineFollower } from "./line_follower.ts";
-import { TimeMarker, activeLine, diagnostics, look, setLine, setPlan } from "./program_marks.ts";
+import { plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
+import { TimeMarker, activeLine, diagnostics, look, setLine, setTimes } from "./program_marks.ts";
 
 // Of a program that is written here: what the editor can do, and who wants to know the text.
 export interface Editing {
@@ -70,6 +71,10 @@ export class ProgramView {
     requestAnimationFrame(() => setTimeout(built));
   }
 
+  private get lines(): PlannedLines | null {
+    return this.view?.state.field(plannedLines) ?? null;
+  }
+
   // The line of the plan before goes: where the text stays, its editor does, too. Where somebody writes nothing moves.
   private showPlan(plan: Plan): void {
     this.follower.forget();
@@ -82,7 +87,7 @@ export class ProgramView {
     if (!this.plan || !this.account) return;
     this.account = { ...this.account, lines };
     this.findLongest(lines);
-    this.view?.dispatch({ effects: setPlan.of(this.plan) });
+    this.view?.dispatch({ effects: setTimes.of(null) });
   }
 
   private findLongest(lines: LineNumbers): void {
@@ -100,10 +105,11 @@ export class ProgramView {
     const extensions = [
       editing ? editing.extension : [EditorState.readOnly.of(true), stepping],
       lineNumbers(),
+      plannedLines,
       gutter({
         class: "cm-times",
         lineMarker: (view, block) => this.marker(view.state.doc.lineAt(block.from).number),
-        lineMarkerChange: (update) => update.transactions.some((one) => one.effects.some((effect) => effect.is(setPlan))),
+        lineMarkerChange: (update) => update.transactions.some((one) => one.effects.some((effect) => effect.is(setPlan) || effect.is(setTimes))),
         initialSpacer: () => new TimeMarker("00.00", 0),
       }),
       activeLine,
@@ -127,15 +133,16 @@ export class ProgramView {
   }
 
   private marker(line: number): TimeMarker | null {
-    const ticks = this.account?.lines.get(line) ?? 0;
+    const ticks = this.account?.lines.get(this.lines?.plannedOf(line) ?? 0) ?? 0;
     return ticks === 0 ? null : new TimeMarker(shortTime(ticks * this.plan!.period_s), ticks / this.longest);
   }
 
   // The next line, in that direction, that takes time.
   private step(way: 1 | -1): boolean {
     const first = this.account?.firstTick;
-    if (!first || !this.view) return false;
-    for (let line = this.follower.line + way; line >= 1 && line <= this.view.state.doc.lines; line += way) {
+    const last = this.lines?.planned.lines ?? 0;
+    if (!first || last === 0) return false;
+    for (let line = this.follower.line + way; line >= 1 && line <= last; line += way) {
       const tick = first.get(line);
       if (tick !== undefined) {
         this.store.set({ tick, hover: null, playing: false }, "page");
@@ -145,10 +152,12 @@ export class ProgramView {
     return true;
   }
 
-  // When the line is in force: of one that takes no time, where the next begins that does.
+  // When a line that was planned is in force: of one that takes no time, where the next begins that does.
   private tickOf(line: number): number | undefined {
     const { motion } = this.plan ?? {};
-    for (; motion && line <= this.view!.state.doc.lines; ++line) {
+    const last = this.lines?.planned.lines ?? 0;
+    if (line === 0) return undefined;
+    for (; motion && line <= last; ++line) {
       const tick = this.account!.firstTick.get(line);
       if (tick !== undefined) return tick;
     }
@@ -158,7 +167,7 @@ export class ProgramView {
   private pointed(event: MouseEvent, view: EditorView, chosen: boolean): boolean {
     if (!chosen && (event.buttons !== 0 || this.store.state.playing)) return false;
     const at = view.posAtCoords({ x: event.clientX, y: event.clientY }, false);
-    const line = view.state.doc.lineAt(at).number;
+    const line = this.lines?.plannedOf(view.state.doc.lineAt(at).number) ?? 0;
     const tick = this.tickOf(line);
     if (tick === undefined) return false;
     if (chosen) this.store.set({ tick, hover: null, playing: false }, "program");
