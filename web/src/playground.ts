@@ -9,6 +9,7 @@ import type { Plan } from "./plan/plan.ts";
 import { programFirst } from "./plan/program_files.ts";
 import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
+import { menu } from "./ui/menu.ts";
 import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
 import { pathDrawing } from "./views/path_drawing.ts";
@@ -70,20 +71,18 @@ class Playground implements PlanSource {
   }
 
   private bar(): HTMLElement {
-    const named = (files: readonly TextFile[]): [string, string][] => [["", "example\u2026"], ...files.map(({ name }): [string, string] => [name, name])];
-    const examples = select("Example program", named(KERF_EXAMPLES), "", (name) => this.change({ files: [KERF_EXAMPLES.find((one) => one.name === name) ?? KERF_EXAMPLES[0]] }));
-    const machines = select("Example machine", named(KERF_MACHINES), "", (name) => this.setMachine(KERF_MACHINES.find((one) => one.name === name) ?? KERF_MACHINES[0]));
-    for (const choice of [examples, machines]) choice.addEventListener("change", () => (choice.value = ""));
+    const named = (files: readonly TextFile[], name: string): TextFile => files.find((one) => one.name === name)!;
+    const namesOf = (files: readonly TextFile[]): string[] => files.map(({ name }) => name);
     const profile = select("Profile", PROFILES.map((name) => [name, name] as const), this.order.profile, (name) => this.change({ profile: name }));
     return h(
       "div",
       { class: "tools order" },
       h("span", {}, "Program"),
       this.opener("Open a program, and with it its subprograms", true, ([first, ...others]) => this.change({ files: programFirst([first!, ...others]) })),
-      examples,
+      menu("Example program", "example\u2026", namesOf(KERF_EXAMPLES), (name) => this.change({ files: [named(KERF_EXAMPLES, name)] })),
       h("span", {}, "Machine"),
       this.opener("Open a machine file", false, ([first]) => this.setMachine(first!)),
-      machines,
+      menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), (name) => this.setMachine(named(KERF_MACHINES, name))),
       h("span", {}, "Profile"),
       profile,
       ...this.feedField(),

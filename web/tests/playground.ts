@@ -61,6 +61,12 @@ export const program = (text: string, name: string): string => {
   return file;
 };
 
+export async function choose(label: "Example program" | "Example machine", name: string): Promise<void> {
+  const menu = page.locator("details", { has: page.locator(`summary[aria-label="${label}"]`) });
+  await menu.locator("summary").click();
+  await menu.locator("button", { hasText: name }).click();
+}
+
 export const shownTime = async (): Promise<string> => (await page.locator('[data-test="cycle-time"]').textContent()) ?? "";
 
 export function timeOf(...words: string[]): number {

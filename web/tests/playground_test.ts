@@ -4,7 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { clock } from "../src/units.ts";
-import { SOURCE, after_, dist, folder, keyIsThere, open, page, program, said, secondsOf, shownTime, slowProgram, status, timeOf, written } from "./playground.ts";
+import { SOURCE, after_, choose, dist, folder, keyIsThere, open, page, program, said, secondsOf, shownTime, slowProgram, status, timeOf, written } from "./playground.ts";
 
 test("every shipped program takes the time that kerf says, to a thousandth", async () => {
   for (const name of readdirSync(join(SOURCE, "programs")).filter((one) => one.endsWith(".ngc"))) {
@@ -102,13 +102,13 @@ test("another tolerance of the machine takes its own time", async () => {
     assert.equal(await shownTime(), clock(times.at(-1)!));
   }
   assert.ok(times[1]! < times[0]!);
-  await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
+  await after_(() => choose("Example machine", "table.toml"));
 });
 
 test("a machine file that is wrong is refused with its place", async () => {
   await open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
   assert.match((await page.locator(".refusal").textContent()) ?? "", /wrong\.toml:2:1: error: unknown key 'max_velocty_mm_s'/);
-  await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
+  await after_(() => choose("Example machine", "table.toml"));
   assert.equal(await page.locator(".refusal").isVisible(), false);
 });
 
@@ -236,7 +236,7 @@ test("a run that was refused is not kept to be compared with", async () => {
   const compare = page.locator("button", { hasText: "compare with this run" });
   await page.locator("[data-tab=difference]").click();
   await after_(() => compare.click());
-  await after_(() => page.locator('select[aria-label="Example machine"]').selectOption("table.toml"));
+  await after_(() => choose("Example machine", "table.toml"));
   assert.equal(await page.locator(".refusal").isVisible(), false);
   assert.equal(await shownTime(), clock(timeOf(join(folder, "kept.ngc"))));
   await after_(() => compare.click());

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
-import { SOURCE, after_, caretTo, open, page, planned, said } from "./playground.ts";
+import { SOURCE, after_, caretTo, open, page, planned, program, said, written } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
 const settled = (ms = 400): Promise<void> => page.waitForTimeout(ms);
@@ -35,6 +35,22 @@ test("the page stays at its head where it is too narrow for panels side by side"
     assert.equal(await page.evaluate(() => scrollY), 0);
   }
   await page.setViewportSize({ width: 1280, height: 720 });
+});
+
+test("from the keyboard an example is opened by Enter, by no arrow key", async () => {
+  await open("Open a program", program("G1 F600 X10\nM2\n", "keys.ngc"));
+  await page.locator('[aria-label="Example program"]').focus();
+  await page.keyboard.press("ArrowDown");
+  await settled();
+  assert.equal(await written(), "G1 F600 X10");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Tab");
+  await page.keyboard.press("Tab");
+  await after_(() => page.keyboard.press("Enter"));
+  assert.equal(await page.locator("h1").textContent(), "butterfly.ngc");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator(".menu-list:visible").count(), 0);
 });
 
 test("the console says nothing", async () => {
