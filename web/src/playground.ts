@@ -1,19 +1,18 @@
 // The playground: programs and machines that are written here, planned as they are typed.
-import { defaultKeymap, history, historyKeymap } from "@codemirror/commands";
-import { EditorState } from "@codemirror/state";
-import { EditorView, keymap, lineNumbers } from "@codemirror/view";
+import type { EditorState, TransactionSpec } from "@codemirror/state";
 import { App, type Extras } from "./app.ts";
+import { opening, writing, type Files } from "./editing.ts";
 import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
 import { programFirst } from "./plan/program_files.ts";
 import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
+import { MachineEditor } from "./ui/machine_editor.ts";
 import { menu } from "./ui/menu.ts";
 import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
 import { pathDrawing } from "./views/path_drawing.ts";
-import { look } from "./views/program_marks.ts";
 
 declare const KERF_WORKER: string;
 declare const KERF_EXAMPLES: readonly [TextFile, ...TextFile[]];
@@ -21,8 +20,6 @@ declare const KERF_MACHINES: readonly [TextFile, ...TextFile[]];
 
 const PROFILES = ["time-optimal", "s-curve", "quintic", "sine", "sine-series", "sigmoid", "trapezoid"] as const;
 const TYPING_MS = 250; // a text that rests so long is planned
-
-const writing = [history(), keymap.of([...defaultKeymap, ...historyKeymap])];
 
 const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile && a.feed_override === b.feed_override;
 
@@ -42,32 +39,15 @@ class Playground implements PlanSource {
   private timer: ReturnType<typeof setTimeout> | undefined;
   private readonly status = h("output", { class: "status", "data-test": "status" });
   private readonly refusal = h("div", { class: "refusal", role: "alert", hidden: true });
-  private readonly machine: EditorView;
-  private readonly machineHost = h("div", { class: "machine-editor", hidden: true, "data-test": "machine" });
+  private readonly machine: MachineEditor;
+  private changeProgram: (change: (state: EditorState) => TransactionSpec) => void = () => undefined;
 
   private readonly keep = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleKept() }, "compare with this run");
 
   constructor(kernel: BrowserKernel) {
     this.kernel = kernel;
     this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0], feed_override: 1 };
-    const editor = this.machineHost.appendChild(h("div", { class: "editor" }));
-    const tree = editor.attachShadow({ mode: "open" });
-    this.machine = new EditorView({ state: this.machineState(), parent: tree, root: tree });
-  }
-
-  private machineState(): EditorState {
-    return EditorState.create({
-      doc: this.order.machine.text,
-      extensions: [
-        writing,
-        lineNumbers(),
-        look,
-        EditorView.contentAttributes.of({ "aria-label": "The machine file" }),
-        EditorView.updateListener.of((update) => {
-          if (update.docChanged) this.typed({ machine: { ...this.order.machine, text: update.state.doc.toString() } });
-        }),
-      ],
-    });
+    this.machine = new MachineEditor(KERF_MACHINES[0], (machine) => this.typed({ machine }));
   }
 
   private bar(): HTMLElement {
@@ -78,11 +58,11 @@ class Playground implements PlanSource {
       "div",
       { class: "tools order" },
       h("span", {}, "Program"),
-      this.opener("Open a program, and with it its subprograms", true, ([first, ...others]) => this.change({ files: programFirst([first!, ...others]) })),
-      menu("Example program", "example\u2026", namesOf(KERF_EXAMPLES), (name) => this.change({ files: [named(KERF_EXAMPLES, name)] })),
+      this.opener("Open a program, and with it its subprograms", true, ([first, ...others]) => this.openProgram(programFirst([first!, ...others]))),
+      menu("Example program", "example\u2026", namesOf(KERF_EXAMPLES), (name) => this.openProgram([named(KERF_EXAMPLES, name)])),
       h("span", {}, "Machine"),
-      this.opener("Open a machine file", false, ([first]) => this.setMachine(first!)),
-      menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), (name) => this.setMachine(named(KERF_MACHINES, name))),
+      this.opener("Open a machine file", false, ([first]) => this.openMachine(first!)),
+      menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), (name) => this.openMachine(named(KERF_MACHINES, name))),
       h("span", {}, "Profile"),
       profile,
       ...this.feedField(),
@@ -115,9 +95,13 @@ class Playground implements PlanSource {
     return h("span", {}, input, h("button", { type: "button", title: label, click: () => input.click() }, "open\u2026"));
   }
 
-  private setMachine(machine: TextFile): void {
-    this.order = { ...this.order, machine };
-    this.machine.setState(this.machineState());
+  private openProgram(files: Files): void {
+    this.changeProgram(opening(files));
+    void this.plan();
+  }
+
+  private openMachine(machine: TextFile): void {
+    this.machine.open(machine);
     void this.plan();
   }
 
@@ -199,14 +183,12 @@ class Playground implements PlanSource {
   extras(): Extras {
     return {
       editing: {
-        extension: writing,
-        changed: (text) => {
-          const [program, ...others] = this.order.files;
-          if (text !== program.text) this.typed({ files: [{ name: program.name, text }, ...others] });
-        },
+        text: this.order.files[0].text,
+        extension: writing(this.order.files, (files) => this.typed({ files })),
+        attach: (change) => (this.changeProgram = change),
       },
       bar: h("div", {}, this.bar(), this.refusal),
-      panes: [["machine", "Machine", this.machineHost]],
+      panes: [["machine", "Machine", this.machine.element]],
       question: h("div", { class: "what-if" }, h("div", { class: "tools" }, this.keep)),
     };
   }

@@ -95,3 +95,8 @@ export async function keyIsThere(expected: string): Promise<void> {
   for (let i = 0; i < 40 && (await written()) !== expected; ++i) await page.waitForTimeout(25);
   assert.equal(await written(), expected);
 }
+
+export const compare = async (): Promise<void> => {
+  await page.locator("[data-tab=difference]").click();
+  await after_(() => page.locator("button", { hasText: "compare with this run" }).click());
+};

@@ -2,10 +2,35 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
-import { SOURCE, after_, caretTo, open, page, planned, program, said, written } from "./playground.ts";
+import { clock } from "../src/units.ts";
+import { SOURCE, after_, caretTo, choose, compare, folder, open, page, planned, program, said, shownTime, timeOf, written } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
+const wrongMachine = (): Promise<void> => open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
+const rightMachine = (): Promise<void> => after_(() => choose("Example machine", "table.toml"));
 const settled = (ms = 400): Promise<void> => page.waitForTimeout(ms);
+
+test("what is written stays, with its undo, while the run before is looked at, whose text cannot be changed", async () => {
+  await open("Open a program", program("G1 F600 X10\nM2\n", "before.ngc"));
+  await compare();
+  await caretTo("Control+Home");
+  await after_(() => page.keyboard.type("(now)"));
+  const several = page.locator('header select[aria-label="Program"]');
+  await several.selectOption("1");
+  assert.equal(await written(), "G1 F600 X10");
+  assert.equal(await page.locator("[data-test=read-only]").isVisible(), true);
+  await page.locator(".program-view .cm-content").focus();
+  await page.keyboard.type("x");
+  await settled();
+  assert.equal(await written(), "G1 F600 X10");
+  await several.selectOption("0");
+  assert.equal(await written(), "(now)G1 F600 X10");
+  assert.equal(await page.locator("[data-test=read-only]").isVisible(), false);
+  await page.locator(".program-view .cm-content").focus();
+  await after_(() => page.keyboard.press("Control+z"));
+  assert.equal(await written(), "G1 F600 X10");
+  await compare();
+});
 
 test("a plan of what is typed leaves the text where it is, at the caret", async () => {
   await open("Open a program", pocket);
@@ -37,6 +62,19 @@ test("the page stays at its head where it is too narrow for panels side by side"
   await page.setViewportSize({ width: 1280, height: 720 });
 });
 
+test("another program in place of what was written can be undone, with its name and its subprograms", async () => {
+  const main = program("o<line> call [7]\nM2\n", "main.ngc");
+  await open("Open a program", main, program("o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n", "line.ngc"));
+  const time = await shownTime();
+  await after_(() => choose("Example program", "star.ngc"));
+  assert.notEqual(await shownTime(), time);
+  await caretTo();
+  await after_(() => page.keyboard.press("Control+z"));
+  assert.equal(await written(), "o<line> call [7]");
+  assert.equal(await page.locator("h1").textContent(), "main.ngc");
+  assert.equal(await shownTime(), time);
+});
+
 test("from the keyboard an example is opened by Enter, by no arrow key", async () => {
   await open("Open a program", program("G1 F600 X10\nM2\n", "keys.ngc"));
   await page.locator('[aria-label="Example program"]').focus();
@@ -51,6 +89,15 @@ test("from the keyboard an example is opened by Enter, by no arrow key", async (
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".menu-list:visible").count(), 0);
+});
+
+test("a program that is opened beside a faulty machine file is the one that is written on", async () => {
+  await wrongMachine();
+  await open("Open a program", program("G1 F600 X5\nM2\n", "other.ngc"));
+  assert.equal(await written(), "G1 F600 X5");
+  assert.deepEqual(await page.locator(".program-view .cm-time").allTextContents(), [], "no times of the program before");
+  await rightMachine();
+  assert.equal(await shownTime(), clock(timeOf(join(folder, "other.ngc"))));
 });
 
 test("the console says nothing", async () => {

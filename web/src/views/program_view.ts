@@ -1,5 +1,5 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
-import { EditorState, Text, type Extension } from "@codemirror/state";
+import { EditorState, type Extension, type StateEffect, type Text, type TransactionSpec } from "@codemirror/state";
 import { EditorView, gutter, keymap, lineNumbers } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
@@ -8,13 +8,15 @@ import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { shortTime } from "../units.ts";
 import { LineFollower } from "./line_follower.ts";
-import { plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
+import { linesOf, plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
 import { TimeMarker, activeLine, diagnostics, look, setLine, setTimes } from "./program_marks.ts";
 
-// Of a program that is written here: what the editor can do, and who wants to know the text.
+// Of a program that is written here.
 export interface Editing {
-  readonly extension: Extension;
-  changed(text: string): void;
+  readonly text: string; // at first
+  readonly extension: Extension; // what the editor can do
+  // Is given what changes the text that is written, also while another one is looked at.
+  attach(change: (change: (state: EditorState) => TransactionSpec) => void): void;
 }
 
 export class ProgramView {
@@ -24,7 +26,9 @@ export class ProgramView {
   private readonly message = h("div", { class: "empty" });
   private readonly words = h("b", { "data-test": "words", title: "feed, spindle speed and tool in the spindle at this instant" });
   private readonly codes = h("span", { "data-test": "codes", title: "the codes in force at this instant" });
+  private readonly note = h("div", { class: "read-only", "data-test": "read-only", hidden: true }, "The text of the run that is shown, to be read only. What is written is kept.");
   private view: EditorView | null = null;
+  private written: { readonly state: EditorState; readonly scroll: StateEffect<unknown> } | null = null; // while another text is looked at
   private plan: Plan | null = null;
   private account: Account | null = null;
   private readonly follower = new LineFollower(() => this.showInstant(true));
@@ -37,7 +41,7 @@ export class ProgramView {
     this.editing = editing;
     // In a shadow tree CodeMirror's style sheets are objects, which the page's policy lets pass.
     this.root = this.host.attachShadow({ mode: "open" });
-    this.element = h("div", { class: "program-view" }, this.host, this.message, h("div", { class: "codes" }, this.words, " ", this.codes));
+    this.element = h("div", { class: "program-view" }, this.host, this.message, this.note, h("div", { class: "codes" }, this.words, " ", this.codes));
     store.listen((_state, change, origin) => {
       if (!("plan" in change) && ("tick" in change || "hover" in change)) this.showInstant(origin !== "program");
     });
@@ -51,24 +55,53 @@ export class ProgramView {
     this.findLongest(account.lines);
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
-    if (this.view?.state.doc.toString() !== (plan.source ?? undefined)) {
-      this.view?.destroy();
-      this.view = null;
-      this.build(plan);
-    }
+    if (this.view && this.editing) this.turnTo(plan.source ?? "");
+    else if (this.view?.state.doc.toString() !== (plan.source ?? undefined)) this.build(plan);
     this.showPlan(plan);
   }
 
   // Behind the next frame: to lay out a million lines takes as long as all else, and the answer and the path need not wait.
   private build(plan: Plan): void {
-    const { source } = plan;
+    const { editing } = this;
+    const source = editing?.text ?? plan.source;
+    this.view?.destroy();
+    this.view = null;
     if (source === null) return;
     const built = (): void => {
-      if (this.plan !== plan || this.view) return;
-      this.view = this.editor(source);
-      this.showPlan(plan);
+      if (this.view || (this.plan !== plan && !editing)) return;
+      this.view = new EditorView({ state: this.stateOf(linesOf(source), editing !== null), parent: this.root, root: this.root });
+      editing?.attach((change) => this.change(change));
+      this.showPlan(this.plan!);
     };
     requestAnimationFrame(() => setTimeout(built));
+  }
+
+  // What is written stays as it is; the plan of another text, which is looked at, has its own in place of it.
+  private turnTo(text: string): void {
+    const view = this.view!;
+    const { doc } = view.state;
+    const written = this.written?.state ?? view.state;
+    const isWritten = [written.doc, written.field(plannedLines)?.planned].some((one) => one?.toString() === text);
+    if (isWritten) this.turnBack();
+    else if (doc.toString() !== text) {
+      this.written ??= { state: view.state, scroll: view.scrollSnapshot() };
+      view.setState(this.stateOf(linesOf(text), false));
+    }
+    this.note.hidden = this.written === null;
+  }
+
+  private turnBack(): void {
+    if (!this.written) return;
+    const { state, scroll } = this.written;
+    this.written = null;
+    this.note.hidden = true;
+    this.view!.setState(state);
+    this.view!.dispatch({ effects: scroll });
+  }
+
+  private change(change: (state: EditorState) => TransactionSpec): void {
+    this.turnBack();
+    this.view!.dispatch(change(this.view!.state));
   }
 
   private get lines(): PlannedLines | null {
@@ -78,7 +111,8 @@ export class ProgramView {
   // The line of the plan before goes: where the text stays, its editor does, too. Where somebody writes nothing moves.
   private showPlan(plan: Plan): void {
     this.follower.forget();
-    this.view?.dispatch({ effects: [setPlan.of(plan), setLine.of(0)] });
+    const isPresent = this.view?.state.doc.toString() === plan.source;
+    this.view?.dispatch({ effects: [isPresent ? setPlan.of(plan) : setTimes.of(null), setLine.of(0)] });
     this.showInstant(this.editing === null || this.root.activeElement === null);
   }
 
@@ -95,15 +129,14 @@ export class ProgramView {
     lines.forEach((ticks) => (this.longest = Math.max(this.longest, ticks)));
   }
 
-  private editor(text: string): EditorView {
-    const { editing } = this;
-    const label = editing ? "The program, with the time of each line" : "The program's text, with the time of each line";
+  private stateOf(doc: Text, isWritten: boolean): EditorState {
+    const label = isWritten ? "The program, with the time of each line" : "The program's text, with the time of each line";
     const stepping = keymap.of([
       { key: "ArrowUp", run: () => this.step(-1) },
       { key: "ArrowDown", run: () => this.step(1) },
     ]);
     const extensions = [
-      editing ? editing.extension : [EditorState.readOnly.of(true), stepping],
+      isWritten ? this.editing!.extension : [EditorState.readOnly.of(true), stepping],
       lineNumbers(),
       plannedLines,
       gutter({
@@ -115,11 +148,8 @@ export class ProgramView {
       activeLine,
       diagnostics,
       look,
-      EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(editing === null) }),
+      EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(!isWritten) }),
       this.follower.extension,
-      EditorView.updateListener.of((update) => {
-        if (update.docChanged) editing?.changed(update.state.doc.toString());
-      }),
       EditorView.domEventHandlers({
         mousedown: (event, view) => this.pointed(event, view, true),
         mousemove: (event, view) => this.pointed(event, view, false),
@@ -128,8 +158,7 @@ export class ProgramView {
         },
       }),
     ];
-    // The editor would split it by a pattern, which takes twice as long for a million lines.
-    return new EditorView({ state: EditorState.create({ doc: Text.of(text.split("\n")), extensions }), parent: this.root, root: this.root });
+    return EditorState.create({ doc, extensions });
   }
 
   private marker(line: number): TimeMarker | null {
