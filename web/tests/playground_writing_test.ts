@@ -100,6 +100,20 @@ test("a program that is opened beside a faulty machine file is the one that is w
   assert.equal(await shownTime(), clock(timeOf(join(folder, "other.ngc"))));
 });
 
+test("the instant goes with the caret that a key takes to another line", async () => {
+  await open("Open a program", program("G1 F600 X10\nX20\nX40\nM2\n", "caret.ngc"));
+  await caretTo("Control+Home");
+  const instant = async (): Promise<string> => (await page.locator("[data-test=instant]").textContent()) ?? "";
+  await page.keyboard.press("ArrowDown");
+  assert.match(await instant(), /line 2$/);
+  await page.keyboard.press("ArrowDown");
+  assert.match(await instant(), /line 3$/);
+  await page.keyboard.press("ArrowRight");
+  assert.match(await instant(), /line 3$/);
+  await page.keyboard.press("Control+Home");
+  assert.match(await instant(), /line 1$/);
+});
+
 test("the console says nothing", async () => {
   await planned();
   assert.deepEqual(said, []);

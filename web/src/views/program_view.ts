@@ -1,6 +1,6 @@
 // The program's text with the time that each line takes, and errors and warnings at their lines.
 import { EditorState, type Extension, type StateEffect, type Text, type TransactionSpec } from "@codemirror/state";
-import { EditorView, gutter, keymap, lineNumbers } from "@codemirror/view";
+import { EditorView, gutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import type { LineNumbers } from "../plan/by_line.ts";
 import type { Plan } from "../plan/plan.ts";
@@ -136,7 +136,7 @@ export class ProgramView {
       { key: "ArrowDown", run: () => this.step(1) },
     ]);
     const extensions = [
-      isWritten ? this.editing!.extension : [EditorState.readOnly.of(true), stepping],
+      isWritten ? [this.editing!.extension, EditorView.updateListener.of((update) => this.followCaret(update))] : [EditorState.readOnly.of(true), stepping],
       lineNumbers(),
       plannedLines,
       gutter({
@@ -202,6 +202,15 @@ export class ProgramView {
     if (chosen) this.store.set({ tick, hover: null, playing: false }, "program");
     else if (line !== this.follower.line) this.store.set({ hover: tick }, "program");
     return false;
+  }
+
+  // A key that takes the caret to another line takes the instant along.
+  private followCaret({ docChanged, startState, state, transactions }: ViewUpdate): void {
+    const lineOf = ({ doc, selection }: EditorState): number => doc.lineAt(selection.main.head).number;
+    const isByKey = transactions.some((one) => one.isUserEvent("select") && !one.isUserEvent("select.pointer"));
+    if (docChanged || !isByKey || !state.selection.main.empty || lineOf(state) === lineOf(startState)) return;
+    const tick = this.tickOf(this.lines?.plannedOf(lineOf(state)) ?? 0);
+    if (tick !== undefined) this.store.set({ tick, hover: null, playing: false }, "program");
   }
 
   private showInstant(scroll: boolean): void {
