@@ -8,6 +8,7 @@ import type { Plan } from "./plan/plan.ts";
 import { programFirst } from "./plan/program_files.ts";
 import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
+import { feedField } from "./ui/feed_field.ts";
 import { MachineEditor } from "./ui/machine_editor.ts";
 import { menu } from "./ui/menu.ts";
 import { started } from "./ui/started.ts";
@@ -65,23 +66,9 @@ class Playground implements PlanSource {
       menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), (name) => this.openMachine(named(KERF_MACHINES, name))),
       h("span", {}, "Profile"),
       profile,
-      ...this.feedField(),
+      ...feedField((feed_override) => this.change({ feed_override })),
       this.status,
     );
-  }
-
-  // With what is said of a number that is none of a feed. Planned is the whole number, no digit of it alone: 2 of 250.
-  private feedField(): HTMLElement[] {
-    const field = h("input", { type: "number", min: "1", max: "200", step: "1", value: "100", "aria-label": "Feed override in percent" });
-    const refusal = h("span", { class: "refused", role: "alert", hidden: true, "data-test": "feed-refused" });
-    field.addEventListener("change", () => {
-      const isFeed = field.value !== "" && field.checkValidity();
-      const share = isFeed ? field.valueAsNumber / 100 : this.order.feed_override;
-      refusal.hidden = isFeed;
-      refusal.textContent = isFeed ? "" : `not planned: a whole number from 1 to 200 %; it stays at ${Math.round(100 * share)} %`;
-      if (share !== this.order.feed_override) this.change({ feed_override: share });
-    });
-    return [h("label", {}, "Feed ", field, " %"), refusal];
   }
 
   // A button that reads files of the visitor's; they stay in this page.
