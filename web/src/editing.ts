@@ -24,14 +24,14 @@ const undone = invertedEffects.of(({ effects, startState }) => (effects.some((ef
 const openedOf = ([{ name, text }, ...others]: Files): Opened => ({ name, text: linesOf(text), others });
 
 // changed: is told the files after each change.
-export function writing(first: Files, changed: (files: Files) => void): Extension {
+export function writing(first: Files, changed: (files: Files, isRewritten: boolean) => void): Extension {
   return [
     opened.init(() => openedOf(first)),
     undone,
     history(),
     keymap.of([...defaultKeymap, ...historyKeymap]),
     EditorView.updateListener.of(({ docChanged, startState, state }) => {
-      if (docChanged || startState.field(opened) !== state.field(opened)) changed(filesOf(state));
+      if (docChanged || startState.field(opened) !== state.field(opened)) changed(filesOf(state), isRewritten(state));
     }),
   ];
 }
@@ -40,6 +40,8 @@ function filesOf(state: EditorState): Files {
   const { name, others } = state.field(opened);
   return [{ name, text: state.doc.toString() }, ...others];
 }
+
+const isRewritten = (state: EditorState): boolean => !state.doc.eq(state.field(opened).text);
 
 // Others in place of the files that are there.
 export function opening(files: Files): (state: EditorState) => TransactionSpec {

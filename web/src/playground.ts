@@ -1,7 +1,7 @@
 // The playground: programs and machines that are written here, planned as they are typed.
 import type { EditorState, TransactionSpec } from "@codemirror/state";
 import { App, type Extras } from "./app.ts";
-import { opening, writing, type Files } from "./editing.ts";
+import { opening, writing } from "./editing.ts";
 import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/browser_kernel.ts";
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
@@ -9,6 +9,7 @@ import { programFirst } from "./plan/program_files.ts";
 import type { PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
 import { feedField } from "./ui/feed_field.ts";
+import { askBeforeLeaving, opener, takeDropped, type FileTaker } from "./ui/files.ts";
 import { MachineEditor } from "./ui/machine_editor.ts";
 import { menu } from "./ui/menu.ts";
 import { started } from "./ui/started.ts";
@@ -38,32 +39,41 @@ class Playground implements PlanSource {
   private tell: (shown: Shown) => void = () => undefined;
   onProgress: (progress: Progress) => void = () => undefined;
   private timer: ReturnType<typeof setTimeout> | undefined;
+  private rewritten = { program: false, machine: false };
   private readonly status = h("output", { class: "status", "data-test": "status" });
   private readonly refusal = h("div", { class: "refusal", role: "alert", hidden: true });
   private readonly machine: MachineEditor;
   private changeProgram: (change: (state: EditorState) => TransactionSpec) => void = () => undefined;
+  private readonly fail = (why: string): void => this.refuse([why]);
+  private readonly programs: FileTaker = { take: (files) => this.opened(() => this.changeProgram(opening(programFirst(files)))), fail: this.fail };
+  private readonly machines: FileTaker = { take: ([first]) => this.opened(() => this.machine.open(first)), fail: this.fail };
 
   private readonly keep = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleKept() }, "compare with this run");
 
   constructor(kernel: BrowserKernel) {
     this.kernel = kernel;
     this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0], feed_override: 1 };
-    this.machine = new MachineEditor(KERF_MACHINES[0], (machine) => this.typed({ machine }));
+    this.machine = new MachineEditor(KERF_MACHINES[0], (machine, isRewritten) => {
+      this.rewritten.machine = isRewritten;
+      this.typed({ machine });
+    });
+    takeDropped(this.programs, this.machines);
+    askBeforeLeaving(() => this.rewritten.program || this.rewritten.machine);
   }
 
   private bar(): HTMLElement {
-    const named = (files: readonly TextFile[], name: string): TextFile => files.find((one) => one.name === name)!;
-    const namesOf = (files: readonly TextFile[]): string[] => files.map(({ name }) => name);
+    const pick = (all: readonly TextFile[], { take }: FileTaker) => (name: string): void => take([all.find((one) => one.name === name)!]);
+    const namesOf = (all: readonly TextFile[]): string[] => all.map(({ name }) => name);
     const profile = select("Profile", PROFILES.map((name) => [name, name] as const), this.order.profile, (name) => this.change({ profile: name }));
     return h(
       "div",
       { class: "tools order" },
       h("span", {}, "Program"),
-      this.opener("Open a program, and with it its subprograms", true, ([first, ...others]) => this.openProgram(programFirst([first!, ...others]))),
-      menu("Example program", "example\u2026", namesOf(KERF_EXAMPLES), (name) => this.openProgram([named(KERF_EXAMPLES, name)])),
+      opener("Open a program, and with it its subprograms", true, this.programs),
+      menu("Example program", "example\u2026", namesOf(KERF_EXAMPLES), pick(KERF_EXAMPLES, this.programs)),
       h("span", {}, "Machine"),
-      this.opener("Open a machine file", false, ([first]) => this.openMachine(first!)),
-      menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), (name) => this.openMachine(named(KERF_MACHINES, name))),
+      opener("Open a machine file", false, this.machines),
+      menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), pick(KERF_MACHINES, this.machines)),
       h("span", {}, "Profile"),
       profile,
       ...feedField((feed_override) => this.change({ feed_override })),
@@ -71,24 +81,9 @@ class Playground implements PlanSource {
     );
   }
 
-  // A button that reads files of the visitor's; they stay in this page.
-  private opener(label: string, several: boolean, take: (files: TextFile[]) => void): HTMLElement {
-    const input = h("input", { type: "file", multiple: several, hidden: true, "aria-label": label });
-    input.addEventListener("change", () => {
-      const chosen = [...(input.files ?? [])];
-      input.value = "";
-      if (chosen.length > 0) void Promise.all(chosen.map(async (file) => ({ name: file.name, text: await file.text() }))).then(take);
-    });
-    return h("span", {}, input, h("button", { type: "button", title: label, click: () => input.click() }, "open\u2026"));
-  }
-
-  private openProgram(files: Files): void {
-    this.changeProgram(opening(files));
-    void this.plan();
-  }
-
-  private openMachine(machine: TextFile): void {
-    this.machine.open(machine);
+  // As if it was typed, but nothing more is waited for.
+  private opened(open: () => void): void {
+    open();
     void this.plan();
   }
 
@@ -154,8 +149,7 @@ class Playground implements PlanSource {
 
   private show(answers: readonly Answer[], order: Order): void {
     const refused = answers.flatMap((answer) => ("refused" in answer ? answer.refused : []));
-    this.refusal.hidden = refused.length === 0;
-    this.refusal.textContent = refused.join("\n");
+    this.refuse(refused);
     const [plan, ...base] = answers.flatMap((answer) => ("plan" in answer ? [answer.plan] : []));
     if (refused.length > 0 || !plan) {
       this.status.textContent = "not planned";
@@ -166,12 +160,20 @@ class Playground implements PlanSource {
     this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names: ["now", "before"] } : {}) });
   }
 
+  private refuse(why: readonly string[]): void {
+    this.refusal.hidden = why.length === 0;
+    this.refusal.textContent = why.join("\n");
+  }
+
   // What the page has beside the plans.
   extras(): Extras {
     return {
       editing: {
         text: this.order.files[0].text,
-        extension: writing(this.order.files, (files) => this.typed({ files })),
+        extension: writing(this.order.files, (files, isRewritten) => {
+          this.rewritten.program = isRewritten;
+          this.typed({ files });
+        }),
         attach: (change) => (this.changeProgram = change),
       },
       bar: h("div", {}, this.bar(), this.refusal),

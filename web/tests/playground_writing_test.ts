@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
+import type { JSHandle } from "playwright-core";
 import { clock } from "../src/units.ts";
 import { SOURCE, after_, caretTo, choose, compare, folder, open, page, planned, program, said, shownTime, timeOf, written } from "./playground.ts";
 
@@ -62,6 +63,44 @@ test("the page stays at its head where it is too narrow for panels side by side"
   await page.setViewportSize({ width: 1280, height: 720 });
 });
 
+// Files as they are dropped on a part of the page; says whether the page has taken them from the browser.
+async function drop(on: string, files: readonly (readonly [name: string, text: string])[]): Promise<boolean> {
+  const data: JSHandle<DataTransfer> = await page.evaluateHandle((all) => {
+    const transfer = new DataTransfer();
+    for (const [name, text] of all) transfer.items.add(new File([text], name));
+    return transfer;
+  }, files);
+  return page.locator(on).first().evaluate((element, dataTransfer) => {
+    const event = (name: string): DragEvent => new DragEvent(name, { dataTransfer, bubbles: true, composed: true, cancelable: true });
+    return !element.dispatchEvent(event("dragover")) && !element.dispatchEvent(event("drop"));
+  }, data);
+}
+
+test("files that are dropped anywhere are opened as by the button", async () => {
+  for (const on of [".strip", ".path-view", ".program-view .cm-content"]) {
+    await open("Open a program", program("G1 F600 X7\nM2\n", "there.ngc"));
+    await after_(async () => assert.equal(await drop(on, [["line.ngc", "o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n"], ["calls.ngc", "o<line> call [7]\nM2\n"]]), true, on));
+    assert.equal(await written(), "o<line> call [7]");
+    assert.equal(await page.locator("h1").textContent(), "calls.ngc");
+  }
+  const slow = "[path]\nmax_velocity_mm_s = 5\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1000\n";
+  await after_(() => drop(".strip", [["dropped.toml", slow]]));
+  assert.match((await page.locator(".what").textContent()) ?? "", /^dropped\.toml/);
+  assert.equal(await written(), "o<line> call [7]");
+  await rightMachine();
+});
+
+test("leaving asks where something was written, and only there", async () => {
+  const asks = (): Promise<boolean> => page.evaluate(() => !window.dispatchEvent(new Event("beforeunload", { cancelable: true })));
+  await open("Open a program", program("G1 F600 X10\nM2\n", "left.ngc"));
+  assert.equal(await asks(), false);
+  await caretTo("Control+Home");
+  await after_(() => page.keyboard.type("(1)"));
+  assert.equal(await asks(), true);
+  await after_(() => page.keyboard.press("Control+z"));
+  assert.equal(await asks(), false);
+});
+
 test("another program in place of what was written can be undone, with its name and its subprograms", async () => {
   const main = program("o<line> call [7]\nM2\n", "main.ngc");
   await open("Open a program", main, program("o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n", "line.ngc"));
@@ -112,6 +151,18 @@ test("the instant goes with the caret that a key takes to another line", async (
   assert.match(await instant(), /line 3$/);
   await page.keyboard.press("Control+Home");
   assert.match(await instant(), /line 1$/);
+});
+
+test("a file that cannot be read is told", async () => {
+  await page.evaluate(() => {
+    const { text } = Blob.prototype;
+    Blob.prototype.text = () => {
+      Blob.prototype.text = text;
+      return Promise.reject(new Error("it is gone"));
+    };
+  });
+  await page.locator('input[aria-label^="Open a program"]').setInputFiles(program("M2\n", "gone.ngc"));
+  await page.waitForFunction(() => document.querySelector(".refusal")?.textContent === "gone.ngc cannot be read: it is gone");
 });
 
 test("the console says nothing", async () => {

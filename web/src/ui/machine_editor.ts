@@ -11,9 +11,9 @@ export class MachineEditor {
   readonly element = h("div", { class: "machine-editor", hidden: true, "data-test": "machine" });
   private readonly view: EditorView;
 
-  constructor(first: TextFile, changed: (machine: TextFile) => void) {
+  constructor(first: TextFile, changed: (machine: TextFile, isRewritten: boolean) => void) {
     const tree = this.element.appendChild(h("div", { class: "editor" })).attachShadow({ mode: "open" });
-    const extensions = [writing([first], ([machine]) => changed(machine)), lineNumbers(), look, EditorView.contentAttributes.of({ "aria-label": "The machine file" })];
+    const extensions = [writing([first], ([machine], isRewritten) => changed(machine, isRewritten)), lineNumbers(), look, EditorView.contentAttributes.of({ "aria-label": "The machine file" })];
     this.view = new EditorView({ state: EditorState.create({ doc: linesOf(first.text), extensions }), parent: tree, root: tree });
   }
 
