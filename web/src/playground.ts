@@ -22,6 +22,7 @@ declare const KERF_MACHINES: readonly [TextFile, ...TextFile[]];
 
 const PROFILES = ["time-optimal", "s-curve", "quintic", "sine", "sine-series", "sigmoid", "trapezoid"] as const;
 const TYPING_MS = 250; // a text that rests so long is planned
+const OLD_MS = 400; // in which most plans are there
 
 const isSame = (a: Order, b: Order): boolean => a.files === b.files && a.machine === b.machine && a.profile === b.profile && a.feed_override === b.feed_override;
 
@@ -33,14 +34,18 @@ interface Planned {
 class Playground implements PlanSource {
   private readonly kernel: BrowserKernel;
   private order: Order;
-  private shown: Order | null = null; // whose plan is seen
+  private shown: Order | null = null; // whose plan is seen; null: a path alone is
   private kept: Order | null = null; // that others are compared with; null: with none
   private planned: Planned[] = [];
   private tell: (shown: Shown) => void = () => undefined;
-  onProgress: (progress: Progress) => void = () => undefined;
+  onProgress: (progress: Progress) => void = () => undefined; // of the path that is seen
   private timer: ReturnType<typeof setTimeout> | undefined;
+  private aging: ReturnType<typeof setTimeout> | undefined; // since what is seen is of an order before
+  private isPlanning = false;
   private rewritten = { program: false, machine: false };
+  private readonly root: HTMLElement;
   private readonly status = h("output", { class: "status", "data-test": "status" });
+  private readonly progress = h("span", { class: "soft", "data-test": "progress" });
   private readonly refusal = h("div", { class: "refusal", role: "alert", hidden: true });
   private readonly machine: MachineEditor;
   private changeProgram: (change: (state: EditorState) => TransactionSpec) => void = () => undefined;
@@ -50,7 +55,8 @@ class Playground implements PlanSource {
 
   private readonly keep = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleKept() }, "compare with this run");
 
-  constructor(kernel: BrowserKernel) {
+  constructor(root: HTMLElement, kernel: BrowserKernel) {
+    this.root = root;
     this.kernel = kernel;
     this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0], feed_override: 1 };
     this.machine = new MachineEditor(KERF_MACHINES[0], (machine, isRewritten) => {
@@ -77,8 +83,23 @@ class Playground implements PlanSource {
       h("span", {}, "Profile"),
       profile,
       ...feedField((feed_override) => this.change({ feed_override })),
+      h("b", { class: "older-note" }, "shown is the run before"),
       this.status,
+      this.progress,
     );
+  }
+
+  private change(change: Partial<Order>): void {
+    this.order = { ...this.order, ...change };
+    this.growOld();
+    void this.plan();
+  }
+
+  private typed(change: Partial<Order>): void {
+    this.order = { ...this.order, ...change };
+    this.growOld();
+    clearTimeout(this.timer);
+    this.timer = setTimeout(() => void this.plan(), TYPING_MS);
   }
 
   // As if it was typed, but nothing more is waited for.
@@ -87,19 +108,33 @@ class Playground implements PlanSource {
     void this.plan();
   }
 
-  private change(change: Partial<Order>): void {
-    this.order = { ...this.order, ...change };
-    void this.plan();
+  // What is seen is marked as old a moment later: most plans are there by then.
+  private growOld(): void {
+    this.setPlanning(true);
+    this.aging ??= setTimeout(() => this.root.classList.add("older"), OLD_MS);
   }
 
-  private typed(change: Partial<Order>): void {
-    this.order = { ...this.order, ...change };
-    clearTimeout(this.timer);
-    this.timer = setTimeout(() => void this.plan(), TYPING_MS);
+  private renew(shown: Order | null): void {
+    this.shown = shown;
+    clearTimeout(this.aging);
+    this.aging = undefined;
+    this.root.classList.remove("older");
+  }
+
+  private setPlanning(isPlanning: boolean): void {
+    this.isPlanning = isPlanning;
+    this.progress.textContent = "";
+    this.keep.setAttribute("aria-disabled", String(!this.canKeep));
+  }
+
+  // A run that is seen as a whole.
+  private get canKeep(): boolean {
+    return !this.isPlanning && (this.kept !== null || this.shown !== null);
   }
 
   // From now on others are compared with the run that is shown, or again with none.
   private toggleKept(): void {
+    if (!this.canKeep) return;
     this.kept = this.kept ? null : this.shown;
     this.keep.setAttribute("aria-pressed", String(this.kept !== null));
     void this.plan();
@@ -112,6 +147,7 @@ class Playground implements PlanSource {
 
   private async plan(): Promise<void> {
     clearTimeout(this.timer);
+    this.setPlanning(true);
     this.status.textContent = "planning\u2026";
     const { order, kept } = this;
     const answers: Answer[] = [];
@@ -131,9 +167,19 @@ class Playground implements PlanSource {
     }
     // What is typed by then has made it an older one, whose text is not to take the place of that.
     const isPresent = (): boolean => order === this.order;
+    let isPathShown = false;
     const answer = await this.kernel.plan(order, {
-      showPath: (plan) => isPresent() && this.tell({ plans: [plan], base: 0 }),
-      showProgress: (progress) => isPresent() && this.onProgress(progress),
+      showPath: (plan) => {
+        if (!isPresent()) return;
+        isPathShown = true;
+        this.renew(null);
+        this.tell({ plans: [plan], base: 0 });
+      },
+      showProgress: (progress) => {
+        if (!isPresent()) return;
+        this.progress.textContent = `up to line ${progress.line}`;
+        if (isPathShown) this.onProgress(progress);
+      },
     });
     if (answer && "plan" in answer) this.remember({ order, plan: answer.plan });
     return answer;
@@ -149,15 +195,17 @@ class Playground implements PlanSource {
 
   private show(answers: readonly Answer[], order: Order): void {
     const refused = answers.flatMap((answer) => ("refused" in answer ? answer.refused : []));
-    this.refuse(refused);
     const [plan, ...base] = answers.flatMap((answer) => ("plan" in answer ? [answer.plan] : []));
+    this.refuse(refused);
     if (refused.length > 0 || !plan) {
+      this.setPlanning(false);
       this.status.textContent = "not planned";
       return;
     }
-    this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
-    this.shown = order;
+    this.renew(order);
+    this.setPlanning(false);
     this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names: ["now", "before"] } : {}) });
+    this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
   }
 
   private refuse(why: readonly string[]): void {
@@ -190,7 +238,7 @@ void started(async (root) => {
   const module = await WebAssembly.compile(await inflatedText(element.textContent ?? ""));
   element.remove();
   const script = URL.createObjectURL(new Blob([KERF_WORKER], { type: "text/javascript" }));
-  const playground = new Playground(new BrowserKernel(script, module));
+  const playground = new Playground(root, new BrowserKernel(script, module));
   let app: App | null = null;
   playground.onProgress = (progress) => app?.showProgress(progress);
   await playground.open((shown) => {

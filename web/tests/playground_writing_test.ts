@@ -4,7 +4,7 @@ import { join } from "node:path";
 import { test } from "node:test";
 import type { JSHandle } from "playwright-core";
 import { clock } from "../src/units.ts";
-import { SOURCE, after_, caretTo, choose, compare, folder, open, page, planned, program, said, shownTime, timeOf, written } from "./playground.ts";
+import { SOURCE, after_, caretTo, choose, compare, folder, open, page, planned, program, said, shownTime, slowProgram, timeOf, written } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
 const wrongMachine = (): Promise<void> => open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
@@ -61,6 +61,59 @@ test("the page stays at its head where it is too narrow for panels side by side"
     assert.equal(await page.evaluate(() => scrollY), 0);
   }
   await page.setViewportSize({ width: 1280, height: 720 });
+});
+
+test("a run that is on its way is no run to compare with yet", async () => {
+  const isDisabled = (): Promise<string | null> => page.locator("button", { hasText: "compare with this run" }).getAttribute("aria-disabled");
+  await after_(async () => {
+    await page.locator('input[aria-label^="Open a program"]').setInputFiles(slowProgram("on_its_way.ngc"));
+    await page.locator("[data-test=planning]").waitFor({ timeout: 60_000 });
+    assert.equal(await isDisabled(), "true");
+    await page.locator("[data-tab=difference]").click();
+    await page.locator("button", { hasText: "compare with this run" }).click({ force: true });
+  });
+  assert.equal(await page.locator("[data-test=difference-whole]").count(), 0);
+  assert.equal(await isDisabled(), "false");
+});
+
+// Of each line that is seen; empty: it has none.
+const times = (): Promise<string[]> =>
+  page.locator(".program-view .cm-line").evaluateAll((lines) => {
+    const marks = [...lines[0]!.closest(".cm-scroller")!.querySelectorAll(".cm-times .cm-gutterElement")].filter((one) => getComputedStyle(one).visibility !== "hidden");
+    const top = (element: Element): number => element.getBoundingClientRect().top;
+    return lines.map((line) => marks.find((one) => Math.abs(top(one) - top(line)) < 3)?.textContent ?? "");
+  });
+const older = (): Promise<boolean> => page.locator(".older-note").isVisible();
+
+test("what is shown is marked as of the run before as long as no other takes its place, and the times of lines move with the text", async () => {
+  await open("Open a program", program("G1 F600 X10\nX20\nX40\nM2\n", "lines.ngc"));
+  assert.equal(await older(), false);
+  await caretTo();
+  const [one, two, three] = (await times()) as [string, string, string];
+  await wrongMachine();
+  await settled(500);
+  assert.equal(await older(), true);
+  await caretTo("Control+Home", "End");
+  await after_(() => page.keyboard.type("\nX15"));
+  assert.deepEqual((await times()).slice(0, 4), [one, "", two, three]);
+  await page.locator(".scrub").evaluate((input) => {
+    (input as HTMLInputElement).value = (input as HTMLInputElement).max;
+    input.dispatchEvent(new Event("input"));
+  });
+  await settled(200);
+  assert.equal(await page.locator(".cm-now").textContent(), "M2");
+  await rightMachine();
+  assert.equal(await older(), false);
+  assert.notEqual((await times())[1], "");
+});
+
+test("a program that is opened beside a faulty machine file is the one that is written on", async () => {
+  await wrongMachine();
+  await open("Open a program", program("G1 F600 X5\nM2\n", "other.ngc"));
+  assert.equal(await written(), "G1 F600 X5");
+  assert.equal((await times()).join(""), "", "no times of the program before");
+  await rightMachine();
+  assert.equal(await shownTime(), clock(timeOf(join(folder, "other.ngc"))));
 });
 
 // Files as they are dropped on a part of the page; says whether the page has taken them from the browser.
@@ -128,15 +181,6 @@ test("from the keyboard an example is opened by Enter, by no arrow key", async (
   await page.keyboard.press("Enter");
   await page.keyboard.press("Escape");
   assert.equal(await page.locator(".menu-list:visible").count(), 0);
-});
-
-test("a program that is opened beside a faulty machine file is the one that is written on", async () => {
-  await wrongMachine();
-  await open("Open a program", program("G1 F600 X5\nM2\n", "other.ngc"));
-  assert.equal(await written(), "G1 F600 X5");
-  assert.deepEqual(await page.locator(".program-view .cm-time").allTextContents(), [], "no times of the program before");
-  await rightMachine();
-  assert.equal(await shownTime(), clock(timeOf(join(folder, "other.ngc"))));
 });
 
 test("the instant goes with the caret that a key takes to another line", async () => {

@@ -28,7 +28,7 @@ interface Told {
 // What the worker answers. isPathAlone: the rest follows.
 export type Reply = Told | { readonly bytes: Uint8Array<ArrayBuffer>; readonly isPathAlone: boolean } | { readonly failure: string };
 
-// Who waits for a plan that takes a while: is shown its path, then how far it is.
+// Who waits for a plan that takes a while: is shown how far it is, and its path once that is known.
 export interface Waiting {
   showPath(plan: Plan): void;
   showProgress(progress: Progress): void;
@@ -84,7 +84,6 @@ export class BrowserKernel {
     const began_ms = performance.now();
     return new Promise((resolve) => {
       let waiting: ReturnType<typeof setTimeout> | undefined;
-      let isPathShown = false;
       const soFar = new SoFar();
       const passed_ms = (): number => performance.now() - began_ms;
       const end = (answer: Answer | null): void => {
@@ -102,12 +101,10 @@ export class BrowserKernel {
         if ("failure" in data) {
           fail(data.failure);
         } else if ("lines" in data) {
-          const progress = soFar.with(data);
-          if (isPathShown) waits.showProgress(progress);
+          waits.showProgress(soFar.with(data));
         } else if (data.isPathAlone) {
           waiting = setTimeout(() => {
             const answer = answerOf(data.bytes, order, 0);
-            isPathShown = "plan" in answer;
             if ("plan" in answer) waits.showPath(answer.plan);
           }, PATIENCE_MS - passed_ms());
         } else {

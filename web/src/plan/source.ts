@@ -10,7 +10,7 @@ export interface Shown {
   readonly names?: readonly string[]; // of each, where neither program, machine nor profile tells them apart
 }
 
-// How far a plan is whose path alone is shown.
+// How far a plan is that is on its way.
 export interface Progress {
   readonly ticks: number;
   readonly left_s: number | null; // the kernel's estimate; null: it has none

@@ -104,7 +104,7 @@ export const look = EditorView.theme({
     padding: "0 6px",
     textAlign: "right",
     minWidth: "52px",
-    color: "var(--text)",
+    color: "var(--told, var(--text))",
     backgroundImage: "linear-gradient(var(--mark), var(--mark))",
     backgroundRepeat: "no-repeat",
     backgroundPosition: "right",
