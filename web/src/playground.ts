@@ -143,6 +143,7 @@ class Playground implements PlanSource {
   async open(show: (shown: Shown) => void): Promise<void> {
     this.tell = show;
     await this.plan();
+    if (!this.shown && !this.refusal.hidden) throw new Error(this.refusal.textContent ?? "");
   }
 
   private async plan(): Promise<void> {

@@ -2,9 +2,10 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
+import { pathToFileURL } from "node:url";
 import type { JSHandle } from "playwright-core";
 import { clock } from "../src/units.ts";
-import { SOURCE, after_, caretTo, choose, compare, folder, open, page, planned, program, said, shownTime, slowProgram, timeOf, written } from "./playground.ts";
+import { SOURCE, after_, caretTo, choose, compare, dist, folder, newPage, open, page, planned, program, said, shownTime, slowProgram, timeOf, written } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
 const wrongMachine = (): Promise<void> => open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
@@ -207,6 +208,21 @@ test("a file that cannot be read is told", async () => {
   });
   await page.locator('input[aria-label^="Open a program"]').setInputFiles(program("M2\n", "gone.ngc"));
   await page.waitForFunction(() => document.querySelector(".refusal")?.textContent === "gone.ngc cannot be read: it is gone");
+});
+
+test("a kernel that cannot be started is told", async () => {
+  const other = await newPage();
+  await other.addInitScript(() => {
+    const { Blob } = window;
+    window.Blob = class extends Blob {
+      constructor(parts: BlobPart[] = [], options?: BlobPropertyBag) {
+        super(["WebAssembly.instantiate = () => Promise.reject(new Error('too little memory'));", ...parts], options);
+      }
+    };
+  });
+  await other.goto(pathToFileURL(dist).href);
+  await other.waitForFunction(() => /cannot be shown: The kernel has failed: Error: too little memory/.test(document.querySelector(".failure")?.textContent ?? ""), null, { timeout: 20_000 });
+  await other.context().close();
 });
 
 test("the console says nothing", async () => {

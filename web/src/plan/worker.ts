@@ -6,17 +6,21 @@ const SHORT = 10_000; // characters of a program whose path needs no picture bef
 
 let kernel: Promise<Kernel> | null = null;
 
+// The kernel's loader does not hear of a module that cannot be instantiated.
 function instantiated(module: WebAssembly.Module): Promise<Kernel> {
-  return makeKernel({
-    locateFile: (name) => name, // nothing is loaded
-    toldPath: (document) => reply(document, true),
-    told(lines, ticks, left_s) {
-      self.postMessage({ lines, ticks, left_s } satisfies Reply, { transfer: [lines.buffer] });
-    },
-    instantiateWasm(imports, done) {
-      void WebAssembly.instantiate(module, imports).then(done);
-      return {};
-    },
+  return new Promise((resolve, reject) => {
+    const running = makeKernel({
+      locateFile: (name) => name, // nothing is loaded
+      toldPath: (document) => reply(document, true),
+      told(lines, ticks, left_s) {
+        self.postMessage({ lines, ticks, left_s } satisfies Reply, { transfer: [lines.buffer] });
+      },
+      instantiateWasm(imports, done) {
+        WebAssembly.instantiate(module, imports).then(done).catch(reject);
+        return {};
+      },
+    });
+    running.then(resolve, reject);
   });
 }
 
@@ -37,6 +41,7 @@ function reply(bytes: Uint8Array<ArrayBuffer>, isPathAlone: boolean): void {
 self.onmessage = async ({ data }: MessageEvent<WebAssembly.Module | Order>) => {
   if (data instanceof WebAssembly.Module) {
     kernel = instantiated(data);
+    kernel.catch(() => undefined); // told to whom orders a plan
     return;
   }
   try {
