@@ -102,9 +102,8 @@ kerf::program::Options options_of(const Json& order) {
 }
 
 // {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve",
-// "feed_override": 1.0, "path_first": true}. The first file is the program, the others its
-// subprograms; an empty text is the default machine. With "path_first": true the path is told
-// before its times are planned.
+// "feed_override": 1.0}. The first file is the program, the others its subprograms; an empty text
+// is the default machine. The path is told before its times are planned.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
   const auto machine_name = machine.at("name").get<std::string>();
@@ -125,12 +124,10 @@ std::string plan(const Json& order) {
   write_files(order.at("files"));
   // The page has the text.
   kerf::program::PageRecord record{.wants_source = false, .watch = ProgressTeller{}};
-  if (order.at("path_first").get<bool>()) {
-    record.show_path = [&](const kerf::program::FileReport& report) {
-      const std::string document = plan_document(report, settings, record);
-      tell_path(document.data(), document.size());
-    };
-  }
+  record.show_path = [&](const kerf::program::FileReport& report) {
+    const std::string document = plan_document(report, settings, record);
+    tell_path(document.data(), document.size());
+  };
   const auto report = kerf::program::process_file(
       std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
       options, settings, &record);

@@ -5,7 +5,7 @@ import { test } from "node:test";
 import { pathToFileURL } from "node:url";
 import type { JSHandle } from "playwright-core";
 import { clock } from "../src/units.ts";
-import { SOURCE, after_, caretTo, choose, compare, dist, folder, newPage, open, page, planned, program, said, shownTime, slowProgram, timeOf, written } from "./playground.ts";
+import { SOURCE, after_, caretTo, choose, compare, dist, folder, newPage, open, page, planned, program, said, shownTime, slowProgram, status, timeOf, written } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
 const wrongMachine = (): Promise<void> => open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
@@ -63,6 +63,20 @@ test("the page stays at its head where it is too narrow for panels side by side"
   }
   await page.setViewportSize({ width: 1280, height: 720 });
 });
+
+const LOOP = "G21 G91 G61 F6000\no1 repeat [30000]\nG1 X1\nX-1\no1 endrepeat\nM2\n";
+for (const [what, files] of [
+  ["a loop", [["loop.ngc", LOOP]]],
+  ["a subprogram in a file of its own", [["caller.ngc", "o<rounds> call\nM2\n"], ["rounds.ngc", `o<rounds> sub\n${LOOP.replace("M2\n", "")}o<rounds> endsub\nM2\n`]]],
+] as const) {
+  test(`the path of a short text that runs long, by ${what}, is there before its times`, async () => {
+    await page.locator('input[aria-label^="Open a program"]').setInputFiles(files.map(([name, text]) => program(text, name)));
+    await page.locator("[data-test=planning]").waitFor({ timeout: 60_000 });
+    await page.waitForFunction(() => /^up to line \d/.test(document.querySelector("[data-test=progress]")?.textContent ?? ""), null, { timeout: 60_000 });
+    assert.match((await page.locator("[data-test=estimate]").textContent()) ?? "", /^about /);
+    assert.match(await status(), /^planning/);
+  });
+}
 
 test("a run that is on its way is no run to compare with yet", async () => {
   const isDisabled = (): Promise<string | null> => page.locator("button", { hasText: "compare with this run" }).getAttribute("aria-disabled");

@@ -2,8 +2,6 @@
 import makeKernel, { type Kernel } from "kerf-kernel";
 import type { Order, Reply } from "./browser_kernel.ts";
 
-const SHORT = 10_000; // characters of a program whose path needs no picture before its times
-
 let kernel: Promise<Kernel> | null = null;
 
 // The kernel's loader does not hear of a module that cannot be instantiated.
@@ -25,8 +23,7 @@ function instantiated(module: WebAssembly.Module): Promise<Kernel> {
 }
 
 function planned(running: Kernel, order: Order): Uint8Array<ArrayBuffer> {
-  const isLong = order.files[0].text.length >= SHORT;
-  const bytes = new TextEncoder().encode(JSON.stringify({ ...order, path_first: isLong }));
+  const bytes = new TextEncoder().encode(JSON.stringify(order));
   const at = running._malloc(bytes.length);
   running.HEAPU8.set(bytes, at);
   const answer = running._kerf_plan(at, bytes.length);
