@@ -1,4 +1,5 @@
 // A program planned in the browser: the same report as `kerf report` makes, called from a worker.
+#include <cstddef>
 #include <cstdint>
 #include <emscripten.h>
 #include <exception>
@@ -39,6 +40,7 @@ using Json = nlohmann::json;
 // Bounds of what a page waits for; the first is of machine time.
 constexpr double kMaxTime_s = 86'400.0;
 constexpr std::uint64_t kMaxMoves = 10'000'000;
+constexpr std::size_t kMaxColumns = 1'000'000;  // some 400 MB while they are gathered
 
 std::string answer;  // to the last order: valid until the next
 
@@ -123,7 +125,8 @@ std::string plan(const Json& order) {
   }
   write_files(order.at("files"));
   // The page has the text.
-  kerf::program::PageRecord record{.wants_source = false, .watch = ProgressTeller{}};
+  kerf::program::PageRecord record{
+      .wants_source = false, .max_columns = kMaxColumns, .watch = ProgressTeller{}};
   record.show_path = [&](const kerf::program::FileReport& report) {
     const std::string document = plan_document(report, settings, record);
     tell_path(document.data(), document.size());

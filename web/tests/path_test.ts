@@ -18,7 +18,7 @@ test("keeps every peak, and draws at most 300,000 vertices", async () => {
   assert.ok(json.ticks > 200_000, "more ticks than a report has columns");
   const { page, said } = await openReport([program]);
   assert.equal(await textOf(page, "cycle-time"), clock(json.cycle_time_s));
-  assert.match((await page.locator(".note").textContent())!, /finest level of this report is \d+ ticks/);
+  assert.match((await page.locator(".note").textContent())!, /finest level here is \d+ ticks/);
   for (const colour of ["feed", "limit", "jerk"]) {
     await page.locator("[data-test=colour]").selectOption(colour);
     for (const side of ["top", "iso"]) {

@@ -165,7 +165,7 @@ test("what of a long run is not known to the tick is told", () => {
   const plan = planOf([{ ticks: 1000, line: 1, kind: RunKind.cut }]);
   assert.equal(finenessText(plan), "");
   Object.assign(plan.motion!, { ticksPerColumn: 4 });
-  assert.equal(finenessText(plan), "The finest level of this report is 4 ticks (0.00400 s) a column; minimum and maximum are kept.");
+  assert.equal(finenessText(plan), "The finest level here is 4 ticks (0.00400 s) a column; minimum and maximum are kept.");
   Object.assign(plan.header, { shortest_run_ticks: 2 });
   assert.match(finenessText(plan), /are kept\. Runs of fewer than 2 ticks may be joined with those before them: times of lines, tools and operations are rough\.$/);
 });

@@ -212,6 +212,14 @@ test("the instant goes with the caret that a key takes to another line", async (
   assert.match(await instant(), /line 1$/);
 });
 
+test("the charts go down to the tick also where a report does not, and say where they end", async () => {
+  const note = async (): Promise<string> => (await page.locator(".time-view .note").textContent()) ?? "";
+  await open("Open a program", program("G1 F600 X10\nG4 P900\nM2\n", "quarter_hour.ngc"));
+  assert.equal(await note(), "");
+  await open("Open a program", program("G1 F600 X10\nG4 P7200\nM2\n", "hours.ngc"));
+  assert.match(await note(), /finest level here is \d+ ticks/);
+});
+
 test("a file that cannot be read is told", async () => {
   await page.evaluate(() => {
     const { text } = Blob.prototype;

@@ -1,6 +1,7 @@
 // What the page shows of a run, gathered tick by tick in bounded memory.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -67,6 +68,7 @@ struct PageRecord {
   bool wants_motion = true;
   bool wants_source = true;
   bool quotes_text = true;  // blocks of errors, messages to the operator, headings
+  std::size_t max_columns = TickColumns::kMaxColumns;  // of the motion
   // Called with what is known of a program that is about to be planned, its path among it. Empty:
   // nobody wants it before its motion.
   std::function<void(const FileReport&)> show_path{};

@@ -119,7 +119,8 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
   if (order.page != nullptr && order.page->wants_motion) {
     order.page->motion.emplace(
         TickColumns::Settings{.period_s = report.period_s,
-                              .extra = extra_axes(order.settings.program.extra_axes)},
+                              .extra = extra_axes(order.settings.program.extra_axes),
+                              .max_columns = order.page->max_columns},
         extents);
     order.page->motion->set_watch(order.page->watch);
     outputs->recorder().page = &*order.page->motion;

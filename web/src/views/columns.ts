@@ -64,7 +64,7 @@ export function finenessText(plan: Plan): string {
   const ticks = plan.motion?.ticksPerColumn ?? 1;
   const shortest = plan.header.shortest_run_ticks ?? 1;
   return [
-    ...(ticks > 1 ? [`The finest level of this report is ${ticks} ticks (${plain(ticks * plan.period_s, 3)} s) a column; minimum and maximum are kept.`] : []),
+    ...(ticks > 1 ? [`The finest level here is ${ticks} ticks (${plain(ticks * plan.period_s, 3)} s) a column; minimum and maximum are kept.`] : []),
     ...(shortest > 1 ? [`Runs of fewer than ${shortest} ticks may be joined with those before them: times of lines, tools and operations are rough.`] : []),
   ].join(" ");
 }
