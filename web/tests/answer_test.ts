@@ -122,7 +122,7 @@ test("says at the top where the first work offset may lie, and leads to the othe
   await page.context().close();
 });
 
-test("a dwell behind a tool change that takes no time is a rest, as kerf says", async () => {
+test("a dwell after a tool change that takes no time is a rest, as kerf says", async () => {
   const program = programFile("T1 M6\nG4 P2\nG1 X10 F600\nM2\n");
   const { time_split } = JSON.parse(kerf("dry-run", "--json", program).out) as { time_split: Record<string, number> };
   assert.deepEqual([time_split["rest_s"], time_split["tool_change_s"]], [2, 0]);

@@ -25,7 +25,7 @@ test("while the instant moves the page is laid out once a frame", async () => {
   await page.context().close();
 });
 
-test("behind another tab the program stands still, and comes up with the instant when it is seen again", async () => {
+test("after another tab the program stands still, and comes up with the instant when it is seen again", async () => {
   const { page, said } = await openReport([pocket], "#tick=20000");
   const before = await markedLine(page);
   await page.locator("[data-tab=answer]").click();

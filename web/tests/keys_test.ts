@@ -113,7 +113,7 @@ test("the tabs are one stop of the Tab key, and the arrow keys go from one to th
   await page.context().close();
 });
 
-test("the keys act on the slider, too, whatever the case, but not behind the about box", async () => {
+test("the keys act on the slider, too, whatever the case, but not after the about box", async () => {
   const { page, said } = await openReport([pocket], "#tick=20000&view=400,-300,300,40,30,0,9");
   await page.locator(".scrub").focus();
   await page.keyboard.press(".");

@@ -170,11 +170,11 @@ test("what of a long run is not known to the tick is told", () => {
   assert.match(finenessText(plan), /are kept\. Runs of fewer than 2 ticks may be joined with those before them: times of lines, tools and operations are rough\.$/);
 });
 
-test("the band shows what limits most of the time behind a pixel", () => {
+test("the band shows what limits most of the time after a pixel", () => {
   const plan = planOf([{ ticks: 12, line: 1, kind: RunKind.cut }]);
   plan.motion!.limit.set([1, 1, 2, 2, 2, 1, 3, 3, 3, 4, 4, 4]);
   assert.deepEqual([...drawnLimits(plan, { from: 0, to: 12 }, 4)], [1, 2, 3, 4]);
-  assert.deepEqual([...drawnLimits(plan, { from: 10, to: 14 }, 4)], [4, 4, -1, -1], "nothing behind the end");
+  assert.deepEqual([...drawnLimits(plan, { from: 10, to: 14 }, 4)], [4, 4, -1, -1], "nothing after the end");
 });
 
 test("the instant at a place of the view is that of the nearest stretch, in pixels", () => {
@@ -189,7 +189,7 @@ test("the instant at a place of the view is that of the nearest stretch, in pixe
   assert.equal(at(200 + 2 * 30, 100), 30);
   assert.equal(at(200 + 2 * 30, 109), 30, "9 pixels below it");
   assert.equal(at(200 + 2 * 30, 113), null, "13 pixels below it");
-  assert.equal(at(200 + 2 * 150, 100), 200, "behind the rest of 50 ticks");
+  assert.equal(at(200 + 2 * 150, 100), 200, "after the rest of 50 ticks");
 });
 
 test("the instant at a place of a long path is the one that a look at each of its ways finds", () => {

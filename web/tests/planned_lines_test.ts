@@ -28,14 +28,14 @@ test("a line that is written on stays the same", () => {
   assert.deepEqual(planned(afterwards({ from: at("two"), to: at("two") + 3, insert: "2" }), 4), [1, 2, 3, 4]);
 });
 
-test("a new line is none that was planned, and those behind it move", () => {
+test("a new line is none that was planned, and those after it move", () => {
   for (const change of [{ from: at("two"), insert: "new\n" }, { from: at("two") - 1, insert: "\nnew" }]) {
     assert.deepEqual(planned(afterwards(change), 5), [1, 0, 2, 3, 4]);
     assert.deepEqual(now(afterwards(change)), [1, 3, 4, 5]);
   }
 });
 
-test("a line that is deleted is gone, and those behind it move", () => {
+test("a line that is deleted is gone, and those after it move", () => {
   const deleted = afterwards({ from: at("two"), to: at("three") });
   assert.deepEqual(planned(deleted, 3), [1, 3, 4]);
   assert.deepEqual(now(deleted), [1, 0, 2, 3]);

@@ -34,7 +34,7 @@ export function largestFirst<T extends Row>(rows: readonly T[]): T[] {
 // What a line says: without comments, blanks and N, in capitals. A slash before N stays.
 const meaning = (line: string): string => line.replace(/\([^)]*\)?|;[^]*|[ \t-\r]+/g, "").toUpperCase().replace(/^(\/\d*)?N\d+/, "$1");
 
-// As kerf numbers them: behind the end of the last line none begins.
+// As kerf numbers them: after the end of the last line none begins.
 const linesOf = (text: string): string[] => text.replace(/\n$/, "").split("\n");
 
 const DEEPEST = 64; // gaps within gaps: bounds what a text can cost

@@ -33,7 +33,7 @@ export async function inflatedText(base64: string): Promise<Uint8Array<ArrayBuff
   return whole;
 }
 
-// The plans stand behind the script, which begins while the browser still reads them.
+// The plans stand after the script, which begins while the browser still reads them.
 async function allRead(document: Document): Promise<void> {
   if (document.readyState !== "loading") return;
   await new Promise((resolve) => document.addEventListener("DOMContentLoaded", resolve, { once: true }));

@@ -81,7 +81,7 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
   };
 }
 
-// CR, LF and CRLF each end a line, and CRs behind an LF belong to its end, as kerf counts lines.
+// CR, LF and CRLF each end a line, and CRs after an LF belong to its end, as kerf counts lines.
 export const withLineFeeds = (text: string): string => (text.includes("\r") ? text.replace(/\r\n?|\n\r*/g, "\n") : text);
 
 export class Plan {

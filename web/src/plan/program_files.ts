@@ -12,7 +12,7 @@ function calls(text: string, { name }: TextFile): boolean {
   return new RegExp(calls.join("|"), "i").test(text);
 }
 
-// The first that no other calls, and behind it the others as they were.
+// The first that no other calls, and after it the others as they were.
 export function programFirst(files: readonly [TextFile, ...TextFile[]]): readonly [TextFile, ...TextFile[]] {
   const isCalled = (file: TextFile): boolean => files.some((other) => other !== file && calls(other.text, file));
   const program = files.find((file) => !isCalled(file)) ?? files[0];

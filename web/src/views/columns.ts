@@ -39,7 +39,7 @@ export function drawnColumns(plan: Plan, series: string, span: Span, pixels: num
   return drawn;
 }
 
-// Which constraint has most of the columns behind each pixel; -1: the program is over there.
+// Which constraint has most of the columns after each pixel; -1: the program is over there.
 export function drawnLimits(plan: Plan, span: Span, pixels: number): Int16Array {
   const { limit, ticksPerColumn, columns } = plan.motion!;
   const counts = new Uint32Array(256);

@@ -1,7 +1,7 @@
 // The path at several finenesses. It is cut into chunks, and each chunk is there at levels: a level keeps, of each group of
 // points of the level below, the first and those that are smallest and largest in X, Y and Z. So what a view shows of a
 // chunk reaches as far as the chunk itself, at any level. No stretch leads over a rest or the end of a rapid, but in levels
-// behind all others, for views that would have too many stretches else.
+// after all others, for views that would have too many stretches else.
 import type { Path } from "../plan/plan.ts";
 
 export interface Level {

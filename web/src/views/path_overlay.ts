@@ -12,7 +12,7 @@ import type { Triple } from "./stretches.ts";
 export interface Place {
   readonly at: Triple;
   readonly text: string;
-  readonly over_mm?: number; // told behind the text
+  readonly over_mm?: number; // told after the text
 }
 
 // Where the program begins, where its zeros are, where it is farthest from the programmed path.

@@ -45,7 +45,7 @@ export class ProgramView {
     store.listen((_state, change, origin) => {
       if (!("plan" in change) && ("tick" in change || "hover" in change)) this.showInstant(origin !== "program");
     });
-    // Behind another tab it stands still, and comes up with the instant when it is seen again.
+    // After another tab it stands still, and comes up with the instant when it is seen again.
     new ResizeObserver(() => this.showInstant(true)).observe(this.element);
   }
 
@@ -60,7 +60,7 @@ export class ProgramView {
     this.showPlan(plan);
   }
 
-  // Behind the next frame: to lay out a million lines takes as long as all else, and the answer and the path need not wait.
+  // After the next frame: to lay out a million lines takes as long as all else, and the answer and the path need not wait.
   private build(plan: Plan): void {
     const { editing } = this;
     const source = editing?.text ?? plan.source;
@@ -130,7 +130,7 @@ export class ProgramView {
   }
 
   private stateOf(doc: Text, isWritten: boolean): EditorState {
-    const label = isWritten ? "The program, with the time of each line" : "The program's text, with the time of each line";
+    const label = isWritten ? "The program" : "The program's text";
     const stepping = keymap.of([
       { key: "ArrowUp", run: () => this.step(-1) },
       { key: "ArrowDown", run: () => this.step(1) },
@@ -148,7 +148,7 @@ export class ProgramView {
       activeLine,
       diagnostics,
       look,
-      EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(!isWritten) }),
+      EditorView.contentAttributes.of({ "aria-label": label, "aria-readonly": String(!isWritten), ...(isWritten ? {} : { inputmode: "none" }) }), // no keyboard on the screen where nothing is written
       this.follower.extension,
       EditorView.domEventHandlers({
         mousedown: (event, view) => this.pointed(event, view, true),
