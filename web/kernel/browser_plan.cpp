@@ -16,7 +16,7 @@
 #include "programs/kerf/run/machine_run.hpp"
 #include "programs/kerf/run/session.hpp"
 
-// There is no machine after a page.
+// There is no machine behind a page.
 std::string kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
   stage.report().fail(ExitStatus::settings_error, "nothing runs in a browser");
   return {};
