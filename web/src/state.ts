@@ -1,5 +1,5 @@
 // What the views share: the plan that is shown, the present instant, how things are shown. The URL's fragment keeps it.
-import { MM_PER_MINUTE, type Units } from "./units.ts";
+import { USUAL_UNITS, type Units } from "./units.ts";
 
 export const COLOURS = ["feed", "limit", "acceleration", "jerk", "deviation", "tool", "following"] as const;
 export type ColourBy = (typeof COLOURS)[number];
@@ -72,7 +72,7 @@ export function initialState(): State {
     track: "path",
     span: null,
     tab: "program",
-    units: MM_PER_MINUTE,
+    units: USUAL_UNITS,
     theme: "auto",
     camera: "",
     playing: false,
@@ -81,7 +81,7 @@ export function initialState(): State {
 }
 
 // usual: the units of the program that is shown first.
-export function toFragment(state: Readonly<State>, usual: Units = MM_PER_MINUTE): string {
+export function toFragment(state: Readonly<State>, usual: Units = USUAL_UNITS): string {
   const words = new URLSearchParams();
   if (state.plan > 0) words.set("plan", String(state.plan + 1));
   if (state.tick > 0) words.set("tick", String(Math.round(state.tick)));
@@ -99,7 +99,7 @@ export function toFragment(state: Readonly<State>, usual: Units = MM_PER_MINUTE)
 }
 
 // What the fragment says; what it says wrongly is left out.
-export function fromFragment(fragment: string, usual: Units = MM_PER_MINUTE): Change {
+export function fromFragment(fragment: string, usual: Units = USUAL_UNITS): Change {
   const words = new URLSearchParams(fragment.replace(/^#/, ""));
   const change: Change = {};
   const whole = (name: string): number | null => {

@@ -5,7 +5,7 @@ export interface Units {
   readonly time: "s" | "min"; // of feeds
 }
 
-export const MM_PER_MINUTE: Units = { length: "mm", time: "min" };
+export const USUAL_UNITS: Units = { length: "mm", time: "min" };
 
 // Of "inch/min" and the like.
 export const unitsNamed = (name: string): Units => ({ length: name.startsWith("inch") ? "inch" : "mm", time: name.endsWith("/s") ? "s" : "min" });
