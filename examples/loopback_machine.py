@@ -57,6 +57,7 @@ class Machine:
         self.ticks = 0
         self.largest_step_mm = 0.0
         self.probe = self.door_open = False
+        self.digital, self.analog = 0, [0.0] * 8  # inputs
 
     def take(self, told):
         if told.call == ENABLE:
@@ -99,7 +100,7 @@ class Machine:
     def answer(self, tick):
         errors = [t - p for t, p in zip(self.told[:3], self.places[:3])]
         body = struct.pack("<4sIq", b"KFAN", VERSION, tick) + struct.pack("<9d4d", *self.places, *errors, 0.0) + self.outputs
-        inputs = struct.pack("<Q8d3H5B", 0, *[0.0] * 8, 0, 0, 0, self.probe, self.door_open, 0, 1, 1)
+        inputs = struct.pack("<Q8d3H5B", self.digital, *self.analog, 0, 0, 0, self.probe, self.door_open, 0, 1, 1)
         axes = struct.pack("<9BBb", *[self.axes] * 9, self.fault, self.fault_axis)
         return sealed(body + inputs + axes, ANSWER_BYTES)
 

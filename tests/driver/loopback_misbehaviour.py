@@ -9,7 +9,7 @@ FROM = int(sys.argv[4]) if len(sys.argv) > 4 else 0
 AT_REST_MM = 1e-3  # a period, of an axis that lags; the program moves by 0.02
 WORKPIECE_MM = -3.0  # its top
 END_MM = 40.0  # of the program, where late_trip trips
-OPEN_FRAMES = 3000  # how long the door is open
+OPEN_FRAMES = 3000  # how long the door is open, or the feed is stopped
 DELAY_S = float(sys.argv[5]) if len(sys.argv) > 5 else 0.0
 sys.path.insert(0, f"{SOURCE}/examples")
 from loopback_machine import DISABLE, FOLLOWING_ERROR, Machine, TOLD_BYTES, Told, WRITE, listen  # noqa: E402
@@ -50,6 +50,9 @@ def main():
             while frame := connection.recv(TOLD_BYTES + 1):
                 told = Told(frame)
                 machine.door_open = HOW == "door" and FROM <= number < FROM + OPEN_FRAMES
+                if HOW == "feed":
+                    machine.digital = 1 << 5 if FROM <= number < FROM + OPEN_FRAMES else 0
+                    machine.analog[2] = 1.0 if number < FROM + OPEN_FRAMES else 0.5
                 machine.take(told)
                 machine.probe = HOW == "workpiece" and machine.places[2] <= WORKPIECE_MM
                 last = told.call
@@ -70,7 +73,7 @@ def main():
                         connection.send(held.pop(0)[1])
                 elif HOW == "stalls" and number >= FROM:
                     send_to_who_may_be_gone(connection, answer)
-                elif number < FROM or HOW in ("late", "trip", "well", "door", "workpiece"):
+                elif number < FROM or HOW in ("late", "trip", "well", "door", "workpiece", "feed"):
                     connection.send(answer)
                 else:
                     connection.send(spoilt(answer, number))

@@ -199,6 +199,34 @@ class Loopback(Case):
         self.assertEqual(self.rows()[-1][1], 60)
         machine.communicate(timeout=60)
 
+    def test_the_feedrate_follows_the_inputs_of_the_machine(self):
+        machine = self.start_machine("feed", "1500")
+        with open(self.file, "a") as file:
+            file.write("[inputs]\nadaptive_feed = 2\nfeed_stop = 5\n")
+        place = self.path("kerf.sock")
+        kerf = self.start_kerf("G21 G90 G61\nM52 P1\nF1200\nG1 X80\nM30\n", "--control", place, "--record", self.path("run.rec"))
+        client = connect(self, kerf, place)
+        while not (status := client.status())["feed_stop"]:
+            time.sleep(0.02)
+        self.assertEqual((status["state"], status["adaptive_feed_percent"]), ("running", 100))
+        refused = client.ask("input", digital=5, value=0)
+        self.assertEqual((refused["accepted"], refused["reason"]), (False, "the machine says what its inputs are"))
+        client.connection.close()  # the machine lets it go on
+        _, err = kerf.communicate(timeout=120)
+        machine.communicate(timeout=60)
+        self.assertEqual(kerf.returncode, 0, err)
+        rows = self.rows()
+        feeds = [(x - before) / (t - earlier) for (earlier, before), (t, x) in zip(rows, rows[1:])]
+        # 1.5 s of 20 mm/s, 3 s of rest, and the other 50 mm at half of that. The answers of a machine elsewhere may be late.
+        rests = [at for at, feed in enumerate(feeds) if feed == 0 and 10 < rows[at][1] < 70]
+        self.assertGreater(len(rests), 2000)
+        self.assertLess(len(rests), 4000)
+        self.assertAlmostEqual(max(feeds[:rests[0]]), 20, delta=1e-6)
+        self.assertAlmostEqual(max(feeds[rests[-1] + 1000:]), 10, delta=1e-6)
+        self.assertEqual(rows[-1][1], 80)
+        self.kerf("dry-run", "-q", self.path("way.ngc"), "--machine", self.file, "--replay", self.path("run.rec"), "--record", self.path("again.rec"))
+        self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("run.rec")).read_bytes())
+
     def test_a_machine_whose_queue_is_full_does_not_answer(self):
         self.socket = self.path("full.sock")
         self.file = self.path("machine.toml", MACHINE.format(timeout_s=TIMEOUT_S, socket=self.socket))

@@ -1,5 +1,6 @@
 #include "programs/kerf/control/operator.hpp"
 
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -44,6 +45,40 @@ TEST(Operator, StartsTheProgramOnceItsAxesAreHomed) {
   EXPECT_EQ(shop.controller.status().waits_for, WaitsFor::text);
   EXPECT_EQ(shop.controller.status().unhomed, 0U);
   EXPECT_FALSE(by.has_stopped());
+}
+
+TEST(Operator, FollowsTheInputsOfTheMachineThatTheMachineFileNames) {
+  Shop shop;
+  Operator by(shop.controller, true, nullptr, {.adaptive_feed = 2, .feed_stop = 5});
+  const auto followed_of = [&](double share, std::uint64_t digital) {
+    machine::MachineInputs said;
+    said.analog.fill(0.25);
+    said.analog[2] = share;
+    said.digital = digital;
+    by.hear(said);
+    by.carry_out();
+    return shop.controller.status().feed_inputs;
+  };
+  EXPECT_EQ(followed_of(0.7, ~(1ULL << 5U)), (FeedInputs{.adaptive = 0.7}));
+  EXPECT_EQ(followed_of(0.7, 1ULL << 5U), (FeedInputs{.adaptive = 0.7, .stop = true}));
+  EXPECT_EQ(followed_of(0.704, 0), (FeedInputs{.adaptive = 0.704})) << "with another change";
+  EXPECT_EQ(followed_of(0.7, 0), (FeedInputs{.adaptive = 0.704})) << "noise";
+  EXPECT_EQ(followed_of(0.998, 0), (FeedInputs{.adaptive = 0.998}));
+  EXPECT_EQ(followed_of(1.5, 0), FeedInputs{});
+  EXPECT_EQ(followed_of(0.004, 0), (FeedInputs{.adaptive = 0.004}));
+  EXPECT_EQ(followed_of(-1.0, 0), (FeedInputs{.adaptive = 0.0}));
+  EXPECT_EQ(followed_of(0.5, 0), (FeedInputs{.adaptive = 0.5}));
+  EXPECT_EQ(followed_of(std::nan(""), 0), (FeedInputs{.adaptive = 0.0}));
+}
+
+TEST(Operator, FollowsNoInputThatTheMachineFileDoesNotName) {
+  Shop shop;
+  Operator by(shop.controller, true);
+  machine::MachineInputs said;
+  said.digital = ~0ULL;
+  by.hear(said);
+  by.carry_out();
+  EXPECT_EQ(shop.controller.status().feed_inputs, FeedInputs{});
 }
 
 // Found with a client: a stop in the last way of the search let the program begin.

@@ -39,7 +39,9 @@ class ControlChannel::Server {
       : order_(std::move(order)),
         by_(&by),
         file_(std::move(endpoint.file)),
-        requests_(by, {.feed_inputs = order_.feed_inputs, .break_down = order_.break_down}) {
+        requests_(by, {.feed_inputs = order_.feed_inputs,
+                       .machine_has_inputs = order_.machine_has_inputs,
+                       .break_down = order_.break_down}) {
     if (endpoint.listens.is_open()) {
       acceptor_.emplace(context_, asio::local::stream_protocol(),
                         std::move(endpoint.listens).release());
@@ -169,7 +171,13 @@ class ControlChannel::Server {
   [[nodiscard]] bool stands_until_asked(const ControllerStatus& status) const noexcept {
     return status.waits_for == WaitsFor::answer || status.state == ControllerState::held ||
            (status.state == ControllerState::idle && order_.waits_for_start) ||
-           (status.state == ControllerState::running && status.is_held_by_feed);
+           (status.state == ControllerState::running && is_held_by_feed(status));
+  }
+
+  // The machine's own inputs let it go on by themselves.
+  [[nodiscard]] bool is_held_by_feed(const ControllerStatus& status) const noexcept {
+    return status.is_held_by_feed &&
+           !(order_.machine_has_inputs && status.overrides.feed >= Overrides::kLeastFeed);
   }
 
   void answer(const std::shared_ptr<ControlClient>& client, std::optional<std::string_view> line) {

@@ -1,8 +1,22 @@
 #include "programs/kerf/control/operator.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace kerf::program {
+
+namespace {
+
+// An analog input is never still: a smaller change of the share is not followed.
+constexpr double kLeastChangeOfShare = 0.005;
+
+bool is_another_share(double said, double followed) noexcept {
+  const bool is_end = said == 0.0 || said == 1.0;
+  return said != followed && (is_end || std::abs(said - followed) >= kLeastChangeOfShare);
+}
+
+}  // namespace
 
 void Operator::ask(const void* asker, std::function<void()> order) {
   const std::lock_guard lock(mutex_);
@@ -22,6 +36,7 @@ void Operator::carry_out() {
   if (pace_ != nullptr && pace_->is_repeated()) {
     carry_out_once_more();
   } else {
+    follow_machine();
     carry_out_what_was_asked();
   }
   if (!is_attended_) {
@@ -69,6 +84,27 @@ void Operator::stop_at_door(const ControllerStatus& status) {
   if (status.door_open && goes_on) {
     static_cast<void>(execute(kerf::Command::stop));  // refused: it has come to its end
   }
+}
+
+void Operator::hear(const machine::MachineInputs& inputs) noexcept {
+  if (const auto number = input_numbers_.adaptive_feed) {
+    const double share = inputs.analog[static_cast<std::size_t>(*number)];
+    adaptive_heard_ = share > 0.0 ? std::min(share, 1.0) : 0.0;  // 0 of what is not a number, too
+  }
+  if (const auto number = input_numbers_.feed_stop) {
+    feed_stop_heard_ = (inputs.digital >> static_cast<unsigned>(*number) & 1U) != 0;
+  }
+}
+
+void Operator::follow_machine() {
+  const FeedInputs said{.adaptive = adaptive_heard_, .stop = feed_stop_heard_};
+  if (!is_another_share(said.adaptive, told_.adaptive) && said.stop == told_.stop) {
+    return;
+  }
+  told_ = said;
+  is_asked_ = true;
+  static_cast<void>(give(said));  // within its range: not refused
+  is_asked_ = false;
 }
 
 tl::expected<void, Refusal> Operator::home_and_start() {

@@ -9,6 +9,7 @@
 
 #include <kerf/controller.hpp>
 
+#include "machine/inputs.hpp"
 #include "programs/kerf/control/operator_order.hpp"
 #include "programs/kerf/control/plan_pace.hpp"
 
@@ -19,9 +20,14 @@ namespace kerf::program {
 class Operator {
  public:
   // is_attended: somebody can let a program go on. Else an open door stops it. pace: notes what is
-  // carried out, or says it, and then nobody else is heard; null: neither.
-  Operator(Controller& controller, bool is_attended, PlanPace* pace = nullptr) noexcept
-      : controller_(&controller), pace_(pace), is_attended_(is_attended) {}
+  // carried out, or says it, and then nobody else is heard; null: neither. followed: what of hear()
+  // counts.
+  Operator(Controller& controller, bool is_attended, PlanPace* pace = nullptr,
+           const FeedInputNumbers& followed = {}) noexcept
+      : controller_(&controller),
+        pace_(pace),
+        is_attended_(is_attended),
+        input_numbers_(followed) {}
 
   // Any thread. asker: who may drop it.
   void ask(const void* asker, std::function<void()> order);
@@ -33,6 +39,9 @@ class Operator {
   [[nodiscard]] ControllerStatus status() const noexcept { return controller_->status(); }
   // For what it says.
   [[nodiscard]] const Controller& controller() const noexcept { return *controller_; }
+
+  // What the machine says, as of the latest tick. The thread of the ticks; real time.
+  void hear(const machine::MachineInputs& inputs) noexcept;
 
   // Who asked is going: none of its orders is carried out any more. In the thread that plans, or
   // once that has ended.
@@ -60,6 +69,7 @@ class Operator {
   void carry_out_what_was_asked();
   void carry_out_once_more();
   void stop_at_door(const ControllerStatus& status);
+  void follow_machine();
   // The program, once the search for the home switches has come to its end.
   void start_behind_search();
   tl::expected<void, Refusal> note_stop(const tl::expected<void, Refusal>& given);
@@ -68,6 +78,10 @@ class Operator {
   Controller* controller_;
   PlanPace* pace_;
   bool is_attended_;
+  FeedInputNumbers input_numbers_;
+  std::atomic<double> adaptive_heard_ = 1.0;
+  std::atomic<bool> feed_stop_heard_ = false;
+  FeedInputs told_{};
   bool starts_ = false;    // once it is idle
   bool ends_ = false;      // end_run()
   bool is_asked_ = false;  // what is given now

@@ -58,6 +58,9 @@ tl::expected<void, Refusal> RequestExecution::set_input(const ControlRequest& re
   const auto refused = [&](std::string_view why) {
     return tl::unexpected(Refusal{.state = status.state, .reason = why});
   };
+  if (order_.machine_has_inputs) {
+    return refused("the machine says what its inputs are");
+  }
   FeedInputs inputs = status.feed_inputs;
   if (request.analog && order_.feed_inputs.adaptive_feed == request.analog) {
     inputs.adaptive = request.value;

@@ -16,6 +16,7 @@ class RequestExecution {
  public:
   struct Order {
     FeedInputNumbers feed_inputs{};
+    bool machine_has_inputs = false;                        // nobody else says what they are
     std::function<bool(const PlannedFault&)> break_down{};  // false: nothing that can be broken
   };
   RequestExecution(Operator& by, Order order) : by_(&by), order_(std::move(order)) {}

@@ -32,6 +32,9 @@ class Driver {
 
   // Not enabled yet.
   [[nodiscard]] machine::Machine& machine() noexcept { return *machine_; }
+  // It says what its inputs are. What the simulated table's are is for who watches it to say; a
+  // record that is replayed says what followed from them.
+  [[nodiscard]] bool has_inputs() const noexcept { return table_ == nullptr && replay_ == nullptr; }
   // Breaks something at the next tick. One thread at a time. False: it is no simulated table, or
   // too many faults wait.
   [[nodiscard]] bool break_down(const PlannedFault& fault) noexcept {

@@ -59,6 +59,7 @@ ControlChannel::Order channel_order(MotionStage& stage, Driver& driver) {
   return {.file = stage.report().file,
           .extra = stage.report().extra_axes,
           .feed_inputs = stage.order().settings.program.feed_inputs,
+          .machine_has_inputs = driver.has_inputs(),
           .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
           .others_answer = stage.order().has_keys,
           .waits_for_start = waits_for_start(stage.order())};
@@ -146,7 +147,8 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
     options.plan_clock = [&pace](std::int64_t ticks) { return pace->look(ticks); };
   }
   Controller controller(order.settings, options);
-  Operator by(controller, is_attended, pace ? &*pace : nullptr);
+  Operator by(controller, is_attended, pace ? &*pace : nullptr,
+              driver.has_inputs() ? order.settings.program.feed_inputs : FeedInputNumbers{});
   if (const auto begun = begin(by, order); !begun) {
     report.fail(ExitStatus::machine_fault, std::string(begun.error().reason));
     return {};

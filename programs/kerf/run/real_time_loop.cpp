@@ -193,6 +193,7 @@ class Ticks {
     stage_.ticks.set_unhomed(controller.unhomed());
     record_ = stage_.ticks.take(setpoint, controller.detail());
     controller.set_home_switches(stage_.ticks.inputs().home);
+    order_.by.hear(stage_.ticks.inputs());
     recorder.push(record_);
     stage_.progress.set_done(record_.motion.s_mm);
     if (stage_.ticks.emergency()) {
