@@ -1,9 +1,11 @@
 #include "programs/kerf/run/session.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -55,6 +57,32 @@ TEST(PathBeforeTimes, IsNotShownOfAProgramThatDoesNotRun) {
   const ShownFirst far = shown_first("G21 G90 G1 F600 X5000\nM2\n");
   EXPECT_EQ(far.times, 0);
   EXPECT_EQ(far.end, ExitStatus::machine_fault);
+}
+
+PlanGatherer planned(const std::filesystem::path& file, const TickWindow& window) {
+  PageRecord page;
+  page.window = window;
+  Options options;
+  options.command = Subcommand::report;
+  options.quiet = true;
+  EXPECT_EQ(process_file(file, options, default_machine(), &page).status, ExitStatus::done);
+  return page.motion.value();
+}
+
+TEST(PartOfARun, HasItsTicksAloneAndEndsAfterThem) {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "program.ngc";
+  std::ofstream(file) << "G21 G90 G61 G1 F600 X10\nG2 X20 I5\nM2\n";
+  const PlanGatherer whole = planned(file, {});
+  const PlanGatherer part = planned(file, {.first = 900, .last = 1099});
+  ASSERT_GT(whole.last_tick(), 2000) << "25.7 mm at 10 mm/s";
+  EXPECT_EQ(part.last_tick(), 1099);
+  ASSERT_EQ(part.columns().columns(), 200U);
+  ASSERT_EQ(part.columns().series().size(), whole.columns().series().size());
+  for (std::size_t i = 0; i < part.columns().series().size(); ++i) {
+    const auto& all = whole.columns().series()[i].max;
+    EXPECT_EQ(part.columns().series()[i].max, std::vector(all.begin() + 900, all.begin() + 1100));
+  }
 }
 
 }  // namespace

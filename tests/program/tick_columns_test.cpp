@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,26 @@ TEST(TickColumns, MergeWithoutLosingAPeak) {
   for (const std::uint8_t limit : columns.limits()) {
     EXPECT_EQ(limit, static_cast<std::uint8_t>(Constraint::programmed)) << "5 of 8 ticks";
   }
+}
+
+TEST(TickColumns, OfAWindowAreThoseOfTheWholeRunThere) {
+  TickColumns all({.period_s = 1e-3});
+  TickColumns part({.period_s = 1e-3, .window = {.first = 700, .last = 899}});
+  for (std::int64_t tick = 0; tick < 1000; ++tick) {
+    EXPECT_EQ(part.has_all(), tick > 899) << tick;
+    all.add(record_at(tick));
+    part.add(record_at(tick));
+  }
+  EXPECT_EQ(part.first_tick(), 700);
+  EXPECT_EQ(part.ticks_per_column(), 1);
+  ASSERT_EQ(part.columns(), 200U);
+  for (std::size_t series = 0; series < all.series().size(); ++series) {
+    const auto& whole = all.series()[series].min;
+    EXPECT_EQ(part.series()[series].min, std::vector(whole.begin() + 700, whole.begin() + 900));
+    EXPECT_EQ(part.series()[series].max, part.series()[series].min);
+  }
+  const std::vector<std::uint8_t> limits = all.limits();
+  EXPECT_EQ(part.limits(), std::vector(limits.begin() + 700, limits.begin() + 900));
 }
 
 TEST(TickColumns, HaveTheOtherAxesOfTheMachineInTheirUnits) {

@@ -106,6 +106,8 @@ kerf::program::Options options_of(const Json& order) {
 // {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve",
 // "feed_override": 1.0}. The first file is the program, the others its subprograms; an empty text
 // is the default machine. The path is told before its times are planned.
+// With "part": {"first": 1000, "last": 1999} the plan has columns of these ticks alone, ends after
+// them, and nothing is told before it.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
   const auto machine_name = machine.at("name").get<std::string>();
@@ -125,12 +127,17 @@ std::string plan(const Json& order) {
   }
   write_files(order.at("files"));
   // The page has the text.
-  kerf::program::PageRecord record{
-      .wants_source = false, .max_columns = kMaxColumns, .watch = ProgressTeller{}};
-  record.show_path = [&](const kerf::program::FileReport& report) {
-    const std::string document = plan_document(report, settings, record);
-    tell_path(document.data(), document.size());
-  };
+  kerf::program::PageRecord record{.wants_source = false, .max_columns = kMaxColumns};
+  if (const auto part = order.find("part"); part != order.end()) {
+    record.window = {.first = part->at("first").get<std::int64_t>(),
+                     .last = part->at("last").get<std::int64_t>()};
+  } else {
+    record.watch = ProgressTeller{};
+    record.show_path = [&](const kerf::program::FileReport& report) {
+      const std::string document = plan_document(report, settings, record);
+      tell_path(document.data(), document.size());
+    };
+  }
   const auto report = kerf::program::process_file(
       std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
       options, settings, &record);

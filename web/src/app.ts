@@ -204,7 +204,7 @@ export class App {
     this.answer.show(plan, this.accountOf(plan), this.shown);
     this.program.show(plan, this.accountOf(plan));
     this.path?.show(plan);
-    this.time.show(plan);
+    this.time.show(plan, this.shown.partOf ?? null);
     this.showDifference();
     // The panels have their size by now.
     requestAnimationFrame(() => this.path?.restore(state.camera));

@@ -6,7 +6,7 @@ import { BrowserKernel, type Answer, type Order, type TextFile } from "./plan/br
 import { inflatedText } from "./plan/embedded.ts";
 import type { Plan } from "./plan/plan.ts";
 import { programFirst } from "./plan/program_files.ts";
-import type { PlanSource, Progress, Shown } from "./plan/source.ts";
+import type { Part, PlanSource, Progress, Shown } from "./plan/source.ts";
 import { h, select } from "./ui/dom.ts";
 import { feedField } from "./ui/feed_field.ts";
 import { askBeforeLeaving, opener, takeDropped, type FileTaker } from "./ui/files.ts";
@@ -186,6 +186,15 @@ class Playground implements PlanSource {
     return answer;
   }
 
+  // Whoever orders a plan meanwhile goes before.
+  private async partOf(plan: Plan, part: Part): Promise<Plan | null> {
+    const known = this.planned.find((one) => one.plan === plan);
+    if (this.isPlanning || !known) return null;
+    const nobody = { showPath: () => undefined, showProgress: () => undefined };
+    const answer = await this.kernel.plan({ ...known.order, part }, nobody);
+    return answer && "plan" in answer ? answer.plan : null;
+  }
+
   // The last two, and the one that others are compared with.
   private remember(planned: Planned): void {
     const { kept } = this;
@@ -205,7 +214,8 @@ class Playground implements PlanSource {
     }
     this.renew(order);
     this.setPlanning(false);
-    this.tell({ plans: [plan, ...base], base: base.length, ...(base.length > 0 ? { names: ["now", "before"] } : {}) });
+    const names = base.length > 0 ? { names: ["now", "before"] } : {};
+    this.tell({ plans: [plan, ...base], base: base.length, partOf: (of, part) => this.partOf(of, part), ...names });
     this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
   }
 

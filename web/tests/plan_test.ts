@@ -161,11 +161,24 @@ test("a column of several ticks has its values from its begin to its end in a ch
   assert.equal(drawnColumns(plan, "path.v", { from: 0, to: 1000 }, 100).tick.length, 100, "from afar one point a pixel");
 });
 
+test("columns that begin later stand where their ticks are", () => {
+  const plan = planOf([{ ticks: 100, line: 1, kind: RunKind.cut }], null, { "path.v": Array.from({ length: 100 }, (_, i) => i) });
+  Object.assign(plan.motion!, { firstTick: 5000 });
+  plan.motion!.limit.fill(1, 0, 50).fill(2, 50);
+  const near = drawnColumns(plan, "path.v", { from: 5010, to: 5013 }, 500);
+  assert.deepEqual([[...near.tick], [...near.max]], [[5010, 5011, 5012, 5013], [10, 11, 12, 13]]);
+  assert.deepEqual([...drawnLimits(plan, { from: 5040, to: 5060 }, 4)], [1, 1, 2, 2]);
+  assert.deepEqual([...drawnLimits(plan, { from: 4998, to: 5002 }, 4)], [-1, -1, 1, 1], "nothing before them");
+  assert.equal(plan.valueAt("path.v", 5042).max, 42);
+});
+
 test("what of a long run is not known to the tick is told", () => {
   const plan = planOf([{ ticks: 1000, line: 1, kind: RunKind.cut }]);
   assert.equal(finenessText(plan), "");
   Object.assign(plan.motion!, { ticksPerColumn: 4 });
   assert.equal(finenessText(plan), "The finest level here is 4 ticks (0.00400 s) a column; minimum and maximum are kept.");
+  assert.equal(finenessText(plan, "nearer"), "A column is 4 ticks (0.00400 s) here, with their minimum and maximum: zoom in to see each tick.");
+  assert.equal(finenessText(plan, "seen"), "");
   Object.assign(plan.header, { shortest_run_ticks: 2 });
   assert.match(finenessText(plan), /are kept\. Runs of fewer than 2 ticks may be joined with those before them: times of lines, tools and operations are rough\.$/);
 });

@@ -212,12 +212,36 @@ test("the instant goes with the caret that a key takes to another line", async (
   assert.match(await instant(), /line 1$/);
 });
 
-test("the charts go down to the tick also where a report does not, and say where they end", async () => {
+test("the charts go down to the tick also where a report does not", async () => {
   const note = async (): Promise<string> => (await page.locator(".time-view .note").textContent()) ?? "";
   await open("Open a program", program("G1 F600 X10\nG4 P900\nM2\n", "quarter_hour.ngc"));
   assert.equal(await note(), "");
   await open("Open a program", program("G1 F600 X10\nG4 P7200\nM2\n", "hours.ngc"));
-  assert.match(await note(), /finest level here is \d+ ticks/);
+  assert.match(await note(), /^A column is 8 ticks .*: zoom in to see each tick\.$/);
+});
+
+test("a chart that is near has each tick of a long program, which are those of a short one", async () => {
+  const note = page.locator(".time-view .note");
+  const now = (what: string): Promise<string | null> => page.locator(`[data-test=now-${what}]`).textContent();
+  const ticksOfLine3 = async (dwell_s: number): Promise<string[]> => {
+    await open("Open a program", program(`G1 F600 X10\nG4 P${dwell_s}\nG1 X40\nM2\n`, `dwell${dwell_s}.ngc`));
+    await caretTo("Control+Home", "ArrowDown", "ArrowDown");
+    await page.locator("button", { hasText: "near" }).click();
+    await page.waitForFunction(() => document.querySelector(".time-view .note")?.textContent === "");
+    await page.locator(".time-view").focus();
+    const seen: string[] = [];
+    for (let i = 0; i < 20; ++i) {
+      await page.keyboard.press(".");
+      seen.push((await Promise.all(["v", "a", "j"].map(now))).join(" "));
+    }
+    return seen;
+  };
+  const short = await ticksOfLine3(1);
+  assert.ok(new Set(short).size > 15 && !short.join().includes("\u2026"), short.join());
+  assert.deepEqual(await ticksOfLine3(1500), short);
+  await page.locator("button", { hasText: "all", hasNotText: "install" }).first().click();
+  await page.waitForFunction(() => /zoom in to see each tick/.test(document.querySelector(".time-view .note")?.textContent ?? ""));
+  assert.equal(await note.count(), 1);
 });
 
 test("a file that cannot be read is told", async () => {

@@ -111,6 +111,7 @@ void add_series(Sections& sections, const std::string& name, const ColumnSeries&
 }
 
 void add_columns(Json& header, Sections& sections, const TickColumns& columns) {
+  header["first_tick"] = columns.first_tick();
   header["ticks_per_column"] = columns.ticks_per_column();
   header["columns"] = columns.columns();
   std::vector<std::string> names{"path"};

@@ -69,6 +69,7 @@ struct PageRecord {
   bool wants_source = true;
   bool quotes_text = true;  // blocks of errors, messages to the operator, headings
   std::size_t max_columns = TickColumns::kMaxColumns;  // of the motion
+  TickWindow window{};                                 // of its columns; the motion ends there
   // Called with what is known of a program that is about to be planned, its path among it. Empty:
   // nobody wants it before its motion.
   std::function<void(const FileReport&)> show_path{};

@@ -17,6 +17,7 @@ TickColumns::TickColumns(const Settings& settings)
     : tracks_(kAxes + settings.extra.size()),
       extra_(settings.extra),
       max_columns_(settings.max_columns),
+      window_(settings.window),
       period_s_(settings.period_s),
       series_(kPerTrack * (1 + tracks_.size()) + 2) {
   for (std::size_t k = 0; k < tracks_.size(); ++k) {
@@ -35,16 +36,20 @@ void TickColumns::take(ColumnSeries& into, double value) const {
   }
 }
 
-void TickColumns::take_axis(Track& track, double x) {
-  if (ticks_ == 0) {
-    track.x.fill(x);
+double TickColumns::place(const TickRecord& record, std::size_t track) const {
+  if (track < kAxes) {
+    return record.position_mm[track];
   }
+  const ExtraAxis& axis = extra_[track - kAxes];
+  return axis.factor * record.extra_rad_mm[axis.index];
+}
+
+void TickColumns::take_axis(const Track& track, double x) {
   const auto [x1, x2, x3] = track.x;
   const std::size_t first = track.first_series;
   take(series_[first], (x - x1) / period_s_);
   take(series_[first + 1], (x - 2.0 * x1 + x2) / (period_s_ * period_s_));
   take(series_[first + 2], (x - 3.0 * (x1 - x2) - x3) / (period_s_ * period_s_ * period_s_));
-  track.x = {x, x1, x2};
 }
 
 void TickColumns::take_limit(std::uint8_t limit) {
@@ -59,26 +64,36 @@ void TickColumns::take_limit(std::uint8_t limit) {
 }
 
 void TickColumns::add(const TickRecord& record) {
-  opens_column_ = ticks_ % ticks_per_column_ == 0;
+  const std::int64_t tick = ticks_++;
+  for (std::size_t k = 0; k < tracks_.size() && tick == 0; ++k) {
+    tracks_[k].x.fill(place(record, k));
+  }
+  if (tick >= window_.first && tick <= window_.last) {
+    take_tick(record, tick - window_.first);
+  }
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    auto& x = tracks_[k].x;
+    x = {place(record, k), x[0], x[1]};
+  }
+}
+
+void TickColumns::take_tick(const TickRecord& record, std::int64_t number) {
+  opens_column_ = number % ticks_per_column_ == 0;
   if (opens_column_ && limits_.size() == max_columns_) {
     halve();
-    opens_column_ = ticks_ % ticks_per_column_ == 0;
+    opens_column_ = number % ticks_per_column_ == 0;
   }
   take(series_[0], record.motion.v_mm_s);
   take(series_[1], record.motion.a_mm_s2);
   take(series_[2], record.motion.j_mm_s3);
-  for (std::size_t k = 0; k < kAxes; ++k) {
-    take_axis(tracks_[k], record.position_mm[k]);
-  }
-  for (std::size_t k = 0; k < extra_.size(); ++k) {
-    take_axis(tracks_[kAxes + k], extra_[k].factor * record.extra_rad_mm[extra_[k].index]);
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    take_axis(tracks_[k], place(record, k));
   }
   take(series_[series_.size() - 2], std::hypot(record.actual_mm[0] - record.position_mm[0],
                                                record.actual_mm[1] - record.position_mm[1],
                                                record.actual_mm[2] - record.position_mm[2]));
   take(series_.back(), record.detail.deviation_mm);
   take_limit(static_cast<std::uint8_t>(record.limit));
-  ++ticks_;
 }
 
 void TickColumns::halve() {

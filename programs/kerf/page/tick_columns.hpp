@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "programs/kerf/report/extra_axes.hpp"
@@ -16,6 +17,12 @@ namespace kerf::program {
 struct ColumnSeries {
   std::vector<float> min;
   std::vector<float> max;
+};
+
+// Those ticks of a run that have columns, both ends among them.
+struct TickWindow {
+  std::int64_t first = 0;
+  std::int64_t last = std::numeric_limits<std::int64_t>::max();
 };
 
 // Ticks fall into columns of 2^k ticks. While k = 0 a column is a tick; when the columns run out,
@@ -33,12 +40,16 @@ class TickColumns {
     double period_s = 0.001;
     std::vector<ExtraAxis> extra{};         // that the machine has
     std::size_t max_columns = kMaxColumns;  // even, at least 2
+    TickWindow window{};
   };
   explicit TickColumns(const Settings& settings);
 
   // Ticks come one by one from 0 on.
   void add(const TickRecord& record);
 
+  // No tick that comes has a column any more.
+  [[nodiscard]] bool has_all() const noexcept { return ticks_ > window_.last; }
+  [[nodiscard]] std::int64_t first_tick() const noexcept { return window_.first; }
   [[nodiscard]] std::int64_t ticks_per_column() const noexcept { return ticks_per_column_; }
   [[nodiscard]] std::size_t columns() const noexcept { return limits_.size(); }
   // 3 + 3 * axes + 2 of them.
@@ -59,16 +70,21 @@ class TickColumns {
     std::size_t first_series = 0;
   };
 
+  // number: from the first that has a column.
+  void take_tick(const TickRecord& record, std::int64_t number);
   void take(ColumnSeries& into, double value) const;
-  void take_axis(Track& track, double x);
+  // In the order of the tracks.
+  [[nodiscard]] double place(const TickRecord& record, std::size_t track) const;
+  void take_axis(const Track& track, double x);
   void take_limit(std::uint8_t limit);
   void halve();
 
   std::vector<Track> tracks_;
   std::vector<ExtraAxis> extra_;
   std::size_t max_columns_;
+  TickWindow window_;
   std::int64_t ticks_per_column_ = 1;
-  std::int64_t ticks_ = 0;
+  std::int64_t ticks_ = 0;  // that have come
   bool opens_column_ = false;
   double period_s_;
   std::vector<ColumnSeries> series_;

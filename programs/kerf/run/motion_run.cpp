@@ -120,7 +120,8 @@ void run_motion(const MotionOrder& order, TextFeed& text, FileReport& report) {
     order.page->motion.emplace(
         TickColumns::Settings{.period_s = report.period_s,
                               .extra = extra_axes(order.settings.program.extra_axes),
-                              .max_columns = order.page->max_columns},
+                              .max_columns = order.page->max_columns,
+                              .window = order.page->window},
         extents);
     order.page->motion->set_watch(order.page->watch);
     outputs->recorder().page = &*order.page->motion;

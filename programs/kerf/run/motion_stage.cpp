@@ -49,9 +49,10 @@ void MotionStage::finish(const End& end) {
   if (report_.machine_fault) {
     report_.machine_fault->needs_homing |= end.is_unhomed;
   }
-  const bool trace_ended = end.outcome.trace_ended;
-  report_.trace_reader_gone = trace_ended && outputs_.recorder().trace->reader_gone();
-  const bool is_whole = report_.status == ExitStatus::done && !report_.start && !trace_ended;
+  const bool is_part = end.outcome.has_enough;
+  const auto& trace = outputs_.recorder().trace;
+  report_.trace_reader_gone = is_part && trace && trace->reader_gone();
+  const bool is_whole = report_.status == ExitStatus::done && !report_.start && !is_part;
   if (is_whole && order_.path.extents) {
     // Of the curves: ticks need not meet their extremes.
     report_.plan->extents = *order_.path.extents;
@@ -60,7 +61,7 @@ void MotionStage::finish(const End& end) {
   // A run that is stopped has done what its trace says; a dry run has not shown what it was to
   // show.
   const bool is_cut = order_.options.command != Subcommand::run &&
-                      (stop_requested() || end.outcome.too_long_at_line || trace_ended);
+                      (stop_requested() || end.outcome.too_long_at_line || is_part);
   for (const auto& error : {outputs_.close_trace(end.outcome.dropped_records, is_cut),
                             outputs_.write_plot(plot_caption(report_), is_cut)}) {
     if (error) {

@@ -30,8 +30,10 @@ struct Recorder {
     return trace || plot || speed || parts || page != nullptr;
   }
 
-  // The rest of the motion would not be in the trace.
-  [[nodiscard]] bool trace_ended() const noexcept { return trace && trace->ended(); }
+  // Somebody who records a part of the motion has all of it.
+  [[nodiscard]] bool has_enough() const noexcept {
+    return (trace && trace->ended()) || (page != nullptr && page->columns().has_all());
+  }
 
   void add(const TickRecord& record) {
     if (trace) {

@@ -22,13 +22,13 @@ class TickTaker {
     const TickRecord record = stage_.ticks.take(tick.setpoint, tick.detail);
     stage_.recorder.add(record);
     stage_.progress.set_done(record.motion.s_mm);
-    outcome_.trace_ended = stage_.recorder.trace_ended();
+    outcome_.has_enough = stage_.recorder.has_enough();
     starvation_.count(tick.status == TickStatus::starved, outcome_);
     if (tick.status == TickStatus::finished) {
       stage_.ticks.hear_out(tick.setpoint, [] {});
     }
     if (tick.status == TickStatus::finished || tick.status == TickStatus::failed || outcome_.hung ||
-        stage_.ticks.fault().kind != machine::DriveFault::none || outcome_.trace_ended) {
+        stage_.ticks.fault().kind != machine::DriveFault::none || outcome_.has_enough) {
       return true;
     }
     if (record.tick >= stage_.last_tick) {

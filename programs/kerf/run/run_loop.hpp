@@ -42,7 +42,7 @@ struct RunOutcome {
   TimeHistogram tick_times;                // how long each took
   std::vector<std::string> not_permitted;  // of what RealTimeThread does
   std::uint64_t dropped_records = 0;
-  bool trace_ended = false;    // and with it the run, as it has no clock
+  bool has_enough = false;     // Recorder::has_enough(): a run without a clock ends then
   std::optional<TickGap> gap;  // a fault
   // The first tick that was later than the order lets pass: a fault, and the program was stopped.
   std::optional<TickGap> too_late;

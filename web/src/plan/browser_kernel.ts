@@ -1,7 +1,7 @@
 // Plans computed in the browser: the kernel as WebAssembly, in a worker of its own.
 import { decodePlan } from "./decode.ts";
 import { Plan } from "./plan.ts";
-import type { Progress } from "./source.ts";
+import type { Part, Progress } from "./source.ts";
 
 export interface TextFile {
   readonly name: string;
@@ -13,6 +13,7 @@ export interface Order {
   readonly machine: TextFile; // an empty text: the default machine
   readonly profile: string;
   readonly feed_override: number; // share of the programmed feedrates
+  readonly part?: Part; // of its ticks, with nothing before it; else all of it
 }
 
 // refused: what is wrong with the machine file, or within kerf.

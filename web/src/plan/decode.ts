@@ -114,6 +114,7 @@ export interface Header {
   readonly feed_unit?: "mm/s" | "mm/min" | "inch/min"; // as the program or --units has it
   readonly extents?: { readonly min_mm: Triple; readonly max_mm: Triple }; // also of a path that leaves the travel
   readonly last_tick?: number; // these only of a program that ran
+  readonly first_tick?: number;
   readonly ticks_per_column?: number;
   readonly columns?: number;
   readonly path_tolerance_mm?: number;

@@ -44,6 +44,7 @@ export interface Motion {
   readonly path: Path;
   readonly runs: Runs;
   readonly limit: Uint8Array; // of each column: its number in header.constraints
+  readonly firstTick: number; // at which the first column begins
   readonly ticksPerColumn: number;
   readonly columns: number;
   readonly lastTick: number;
@@ -75,6 +76,7 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
     path,
     runs,
     limit: wanted(bytes, "limit"),
+    firstTick: header.first_tick ?? 0,
     ticksPerColumn: header.ticks_per_column ?? 1,
     columns: header.columns ?? 0,
     lastTick: header.last_tick,
@@ -154,7 +156,7 @@ export class Plan {
 
   columnAt(tick: number): number {
     const motion = this.motion;
-    return motion ? Math.min(motion.columns - 1, Math.max(0, Math.floor(tick / motion.ticksPerColumn))) : 0;
+    return motion ? Math.min(motion.columns - 1, Math.max(0, Math.floor((tick - motion.firstTick) / motion.ticksPerColumn))) : 0;
   }
 
   // Of the column that the tick is in: a single value where columns are ticks.

@@ -3,11 +3,21 @@
 import type { LineNumbers } from "./by_line.ts";
 import type { Plan } from "./plan.ts";
 
+// Ticks of a run, both ends among them.
+export interface Part {
+  readonly first: number;
+  readonly last: number;
+}
+
+// A plan whose columns are these ticks; null: there is none now.
+export type PartOf = (plan: Plan, part: Part) => Promise<Plan | null>;
+
 // Plans that stand side by side.
 export interface Shown {
   readonly plans: readonly [Plan, ...Plan[]];
   readonly base: number; // which of them the others are compared with
   readonly names?: readonly string[]; // of each, where neither program, machine nor profile tells them apart
+  readonly partOf?: PartOf; // of those with columns of several ticks, where the kernel is at hand
 }
 
 // How far a plan is that is on its way.

@@ -26,6 +26,7 @@ export function timeText(seconds: number, step_s: number): string {
 // What all charts show.
 export interface Charted {
   readonly plan: Plan;
+  readonly seen: Plan; // the same, or a part of it with each tick
   readonly track: string;
   readonly units: Units;
   readonly ground: Ground;
@@ -43,6 +44,7 @@ export class TimeChart {
   private readonly zoomTo: (span: Span) => void;
   private plot: uPlot | null = null;
   private span: Span = { from: 0, to: 1 };
+  private seen: Plan | null = null; // of what was charted last
 
   // zoomTo: a span has been dragged over.
   constructor(quantity: Quantity, title: string, zoomTo: (span: Span) => void) {
@@ -70,6 +72,7 @@ export class TimeChart {
   build(charted: Charted, hasTimes: boolean): void {
     const { plan, track, units, ground } = charted;
     this.span = charted.span;
+    this.seen = charted.seen;
     const { factor, unit } = unitOf(this.quantity, plan.unitOf(track), units);
     const limit = plan.limitOf(track, this.quantity);
     this.name.textContent = `${this.title}, ${unit}`;
@@ -99,10 +102,12 @@ export class TimeChart {
 
   // By what is seen; the limit is where it is not far above that.
   private rangeSeen({ plan, track, units }: Charted, signed: boolean): [number, number] {
+    const seen = this.seen ?? plan;
     const { factor } = unitOf(this.quantity, plan.unitOf(track), units);
     const limit = plan.limitOf(track, this.quantity);
-    const perColumn = plan.motion!.ticksPerColumn;
-    const { min, max } = plan.series(`${track}.${this.quantity}`).range(this.span.from / perColumn, this.span.to / perColumn + 1);
+    const { firstTick, ticksPerColumn } = seen.motion!;
+    const columnOf = (tick: number): number => (tick - firstTick) / ticksPerColumn;
+    const { min, max } = seen.series(`${track}.${this.quantity}`).range(columnOf(this.span.from), columnOf(this.span.to) + 1);
     const peak = Math.max(Math.abs(min), Math.abs(max), 1e-9);
     const most = 1.1 * (limit !== null && limit <= 3 * peak ? Math.max(limit, peak) : peak) * factor;
     return [signed ? -most : 0, most];
@@ -118,18 +123,19 @@ export class TimeChart {
   }
 
   // For another span.
-  draw({ plan, track, units, span }: Charted): void {
+  draw({ plan, seen, track, units, span }: Charted): void {
     if (!this.plot) return;
     this.span = span;
+    this.seen = seen;
     const { factor } = unitOf(this.quantity, plan.unitOf(track), units);
-    const drawn = drawnColumns(plan, `${track}.${this.quantity}`, span, this.plot.over.clientWidth);
+    const drawn = drawnColumns(seen, `${track}.${this.quantity}`, span, this.plot.over.clientWidth);
     const scaled = (values: Float64Array): number[] => Array.from(values, (value) => value * factor);
     this.plot.setData([Array.from(drawn.tick, (tick) => tick * plan.period_s), scaled(drawn.max), scaled(drawn.min)]);
   }
 
-  showInstant({ plan, track, units }: Charted, tick: number): void {
+  showInstant({ plan, seen, track, units }: Charted, tick: number): void {
     const { factor } = unitOf(this.quantity, plan.unitOf(track), units);
-    const { min, max } = plan.valueAt(`${track}.${this.quantity}`, tick);
+    const { min, max } = seen.valueAt(`${track}.${this.quantity}`, tick);
     // Digits below a 100,000th of the largest are the rounding of differences.
     const { min: lowest, max: highest } = plan.series(`${track}.${this.quantity}`).range(0, plan.motion!.columns);
     const least = 1e-5 * Math.max(-lowest, highest);

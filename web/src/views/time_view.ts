@@ -1,12 +1,14 @@
 // Feed, acceleration and jerk over time with their limits, and under them what limits the feed.
 import { hexOf, rgbOf, visibleOn } from "../colours.ts";
 import type { Plan } from "../plan/plan.ts";
+import type { PartOf } from "../plan/source.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { clock } from "../units.ts";
 import { chartAfter } from "./chart_keys.ts";
 import { listenToFingers } from "./chart_touch.ts";
 import { drawnLimits, finenessText, type Span } from "./columns.ts";
+import { Finer } from "./finer.ts";
 import type { Ground } from "./ground.ts";
 import { AXIS_PIXELS, TimeChart, type Charted } from "./time_chart.ts";
 
@@ -21,6 +23,7 @@ export class TimeView {
   private readonly line = h("div", { class: "now-line" });
   private readonly area: HTMLElement;
   private plan: Plan | null = null;
+  private readonly finer = new Finer(() => this.update());
   private span: Span = { from: 0, to: 1 };
   private curves: { left: number; width: number } | null = null; // where they are in the area, in pixels; null: nowhere
   private scheduled = false;
@@ -43,13 +46,21 @@ export class TimeView {
     });
   }
 
-  show(plan: Plan): void {
+  // partOf: of plans with columns of several ticks; null: there is nobody to ask.
+  show(plan: Plan, partOf: PartOf | null): void {
     this.plan = plan.motion ? plan : null;
+    this.finer.show(this.plan, partOf);
     const last = Math.max(1, plan.motion?.lastTick ?? 1);
     const [from, to] = this.store.state.span ?? [0, last];
     this.span = from < last ? { from, to: Math.min(to, last) } : { from: 0, to: last };
-    this.note.textContent = finenessText(plan);
+    this.showNote(plan);
     this.build();
+  }
+
+  private showNote(plan: Plan): void {
+    const { canAsk, isAsking } = this.finer;
+    const isSeen = this.plan !== null && this.finer.in(this.span) !== this.plan;
+    this.note.textContent = finenessText(plan, !canAsk ? "gone" : isSeen ? "seen" : isAsking ? "coming" : "nearer");
   }
 
   setGround(ground: Ground): void {
@@ -61,7 +72,8 @@ export class TimeView {
   zoomTo(span: Span): void {
     if (!this.plan) return;
     const last = this.plan.motion!.lastTick;
-    const nearest = Math.min(NEAREST_TICKS * this.plan.motion!.ticksPerColumn, Math.max(1, last));
+    const ticks = NEAREST_TICKS * (this.finer.canAsk ? 1 : this.plan.motion!.ticksPerColumn);
+    const nearest = Math.min(ticks, Math.max(1, last));
     const size = Math.min(Math.max(span.to - span.from, nearest), Math.max(1, last));
     const from = Math.min(Math.max(0, span.from), Math.max(0, last - size));
     this.span = { from, to: from + size };
@@ -149,7 +161,7 @@ export class TimeView {
   }
 
   private charted(plan: Plan): Charted {
-    return { plan, track: this.track, units: this.store.state.units, ground: this.ground, span: this.span };
+    return { plan, seen: this.finer.in(this.span), track: this.track, units: this.store.state.units, ground: this.ground, span: this.span };
   }
 
   private update(): void {
@@ -160,9 +172,11 @@ export class TimeView {
       if (!this.plan) return;
       const charted = this.charted(this.plan);
       for (const chart of this.charts) chart.draw(charted);
+      this.showNote(this.plan);
       this.measure();
       this.drawBand();
       this.showInstant();
+      this.finer.see(this.span, this.charts[0]!.over?.clientWidth ?? 0);
     });
   }
 
@@ -182,7 +196,7 @@ export class TimeView {
     this.band.style.left = `${AXIS_PIXELS}px`;
     this.band.style.width = `${curve.clientWidth}px`;
     const pen = this.band.getContext("2d")!;
-    const limits = drawnLimits(this.plan, this.span, pixels);
+    const limits = drawnLimits(this.finer.in(this.span), this.span, pixels);
     let begin = 0;
     for (let i = 1; i <= pixels; ++i) {
       if (i < pixels && limits[i] === limits[begin]) continue;
@@ -203,9 +217,10 @@ export class TimeView {
     const share = (tick - this.span.from) / (this.span.to - this.span.from);
     this.line.hidden = share < 0 || share > 1;
     this.line.style.transform = `translateX(${curves.left + share * curves.width}px)`;
-    const charted = this.charted(this.plan);
+    const seen = this.finer.in({ from: tick, to: tick });
+    const charted = { ...this.charted(this.plan), seen };
     for (const chart of this.charts) chart.showInstant(charted, tick);
-    const limit = this.plan.header.constraints[this.plan.motion!.limit[this.plan.columnAt(tick)]!];
+    const limit = this.plan.header.constraints[seen.motion!.limit[seen.columnAt(tick)]!];
     this.limitNow.textContent = limit?.text ?? "";
     this.limitNow.title = clock(tick * this.plan.period_s);
   }
