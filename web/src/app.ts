@@ -97,6 +97,11 @@ export class App {
     this.program.showLines(progress.lines);
   }
 
+  // They will not come.
+  showNoTimes(): void {
+    this.answer.showProgress("none");
+  }
+
   private get plan(): Plan {
     return this.shown.plans[this.store.state.plan]!;
   }

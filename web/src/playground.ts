@@ -12,6 +12,7 @@ import { feedField } from "./ui/feed_field.ts";
 import { askBeforeLeaving, opener, takeDropped, type FileTaker } from "./ui/files.ts";
 import { MachineEditor } from "./ui/machine_editor.ts";
 import { menu } from "./ui/menu.ts";
+import { Refusal } from "./ui/refusal.ts";
 import { started } from "./ui/started.ts";
 import { clock } from "./units.ts";
 import { pathDrawing } from "./views/path_drawing.ts";
@@ -39,6 +40,7 @@ class Playground implements PlanSource {
   private planned: Planned[] = [];
   private tell: (shown: Shown) => void = () => undefined;
   onProgress: (progress: Progress) => void = () => undefined; // of the path that is seen
+  onNoTimes: () => void = () => undefined; // of it
   private timer: ReturnType<typeof setTimeout> | undefined;
   private aging: ReturnType<typeof setTimeout> | undefined; // since what is seen is of an order before
   private isPlanning = false;
@@ -46,10 +48,10 @@ class Playground implements PlanSource {
   private readonly root: HTMLElement;
   private readonly status = h("output", { class: "status", "data-test": "status" });
   private readonly progress = h("span", { class: "soft", "data-test": "progress" });
-  private readonly refusal = h("div", { class: "refusal", role: "alert", hidden: true });
+  private readonly refusal = new Refusal();
   private readonly machine: MachineEditor;
   private changeProgram: (change: (state: EditorState) => TransactionSpec) => void = () => undefined;
-  private readonly fail = (why: string): void => this.refuse([why]);
+  private readonly fail = (why: string): void => this.refusal.showUnread(why);
   private readonly programs: FileTaker = { take: (files) => this.opened(() => this.changeProgram(opening(programFirst(files)))), fail: this.fail };
   private readonly machines: FileTaker = { take: ([first]) => this.opened(() => this.machine.open(first)), fail: this.fail };
 
@@ -90,14 +92,12 @@ class Playground implements PlanSource {
   }
 
   private change(change: Partial<Order>): void {
-    this.order = { ...this.order, ...change };
-    this.growOld();
+    this.changeOrder(change);
     void this.plan();
   }
 
   private typed(change: Partial<Order>): void {
-    this.order = { ...this.order, ...change };
-    this.growOld();
+    this.changeOrder(change);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => void this.plan(), TYPING_MS);
   }
@@ -109,7 +109,9 @@ class Playground implements PlanSource {
   }
 
   // What is seen is marked as old a moment later: most plans are there by then.
-  private growOld(): void {
+  private changeOrder(change: Partial<Order>): void {
+    this.order = { ...this.order, ...change };
+    this.refusal.dropUnread();
     this.setPlanning(true);
     this.aging ??= setTimeout(() => this.root.classList.add("older"), OLD_MS);
   }
@@ -143,7 +145,7 @@ class Playground implements PlanSource {
   async open(show: (shown: Shown) => void): Promise<void> {
     this.tell = show;
     await this.plan();
-    if (!this.shown && !this.refusal.hidden) throw new Error(this.refusal.textContent ?? "");
+    if (!this.shown && this.refusal.text !== "") throw new Error(this.refusal.text);
   }
 
   private async plan(): Promise<void> {
@@ -206,9 +208,10 @@ class Playground implements PlanSource {
   private show(answers: readonly Answer[], order: Order): void {
     const refused = answers.flatMap((answer) => ("refused" in answer ? answer.refused : []));
     const [plan, ...base] = answers.flatMap((answer) => ("plan" in answer ? [answer.plan] : []));
-    this.refuse(refused);
+    this.refusal.showRefused(refused);
     if (refused.length > 0 || !plan) {
       this.setPlanning(false);
+      if (!this.shown) this.onNoTimes();
       this.status.textContent = "not planned";
       return;
     }
@@ -217,11 +220,6 @@ class Playground implements PlanSource {
     const names = base.length > 0 ? { names: ["now", "before"] } : {};
     this.tell({ plans: [plan, ...base], base: base.length, partOf: (of, part) => this.partOf(of, part), ...names });
     this.status.textContent = `planned in ${clock(answers.reduce((sum, answer) => sum + ("took_s" in answer ? answer.took_s : 0), 0))}`;
-  }
-
-  private refuse(why: readonly string[]): void {
-    this.refusal.hidden = why.length === 0;
-    this.refusal.textContent = why.join("\n");
   }
 
   // What the page has beside the plans.
@@ -235,7 +233,7 @@ class Playground implements PlanSource {
         }),
         attach: (change) => (this.changeProgram = change),
       },
-      bar: h("div", {}, this.bar(), this.refusal),
+      bar: h("div", {}, this.bar(), this.refusal.element),
       panes: [["machine", "Machine", this.machine.element]],
       question: h("div", { class: "what-if" }, h("div", { class: "tools" }, this.keep)),
     };
@@ -252,6 +250,7 @@ void started(async (root) => {
   const playground = new Playground(root, new BrowserKernel(script, module));
   let app: App | null = null;
   playground.onProgress = (progress) => app?.showProgress(progress);
+  playground.onNoTimes = () => app?.showNoTimes();
   await playground.open((shown) => {
     if (app) app.replace(shown);
     else app = new App(root, shown, drawing, playground.extras());

@@ -244,7 +244,12 @@ test("a chart that is near has each tick of a long program, which are those of a
   assert.equal(await note.count(), 1);
 });
 
-test("a file that cannot be read is told", async () => {
+test("a file that cannot be read is told until another is chosen, whatever is planned meanwhile", async () => {
+  const input = page.locator('input[aria-label^="Open a program"]');
+  const isTold = (): Promise<boolean> => page.evaluate(() => document.querySelector(".refusal")?.textContent === "gone.ngc cannot be read: it is gone");
+  await open("Open a program", program("M2\n", "there.ngc"));
+  await input.setInputFiles(slowProgram("meanwhile.ngc"));
+  await page.waitForFunction(() => document.querySelector("[data-test=status]")?.textContent === "planning\u2026");
   await page.evaluate(() => {
     const { text } = Blob.prototype;
     Blob.prototype.text = () => {
@@ -252,8 +257,38 @@ test("a file that cannot be read is told", async () => {
       return Promise.reject(new Error("it is gone"));
     };
   });
-  await page.locator('input[aria-label^="Open a program"]').setInputFiles(program("M2\n", "gone.ngc"));
-  await page.waitForFunction(() => document.querySelector(".refusal")?.textContent === "gone.ngc cannot be read: it is gone");
+  await input.setInputFiles(program("M2\n", "gone.ngc"));
+  await page.locator(".refusal:visible").waitFor();
+  assert.ok(await isTold());
+  assert.match(await status(), /^planning/);
+  await planned();
+  assert.ok(await isTold());
+  await open("Open a program", program("M2\n", "found.ngc"));
+  assert.equal(await page.locator(".refusal:visible").count(), 0);
+});
+
+test("a kernel that fails after the path is shown leaves no time on its way", async () => {
+  const other = await newPage();
+  await other.addInitScript(() => {
+    const { Worker } = window;
+    window.Worker = class extends Worker {
+      constructor(script: string | URL) {
+        super(script);
+        Object.assign(window, { fail: () => this.dispatchEvent(new ErrorEvent("error", { message: "out of memory" })) });
+      }
+    };
+  });
+  await other.goto(pathToFileURL(dist).href);
+  await other.waitForFunction(() => /^planned/.test(document.querySelector("[data-test=status]")?.textContent ?? ""), null, { timeout: 60_000 });
+  const estimate = other.locator("[data-test=estimate]");
+  await other.locator('input[aria-label^="Open a program"]').setInputFiles(slowProgram("fails.ngc"));
+  await estimate.waitFor();
+  await other.evaluate(() => (window as unknown as { fail: () => void }).fail());
+  assert.equal(await estimate.textContent(), "not planned");
+  assert.equal(await other.locator(".refusal").textContent(), "The kernel has failed: out of memory");
+  await other.locator("button", { hasText: "inch" }).click();
+  assert.equal(await estimate.textContent(), "not planned");
+  await other.context().close();
 });
 
 test("a kernel that cannot be started is told", async () => {

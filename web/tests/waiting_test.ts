@@ -12,6 +12,7 @@ test("an estimate is called one, and has no digits that it does not have", () =>
 });
 
 test("no time is said where nothing is known of it", () => {
+  assert.deepEqual(waitingTexts("none", 0.001), ["not planned", ""]);
   assert.deepEqual(waitingTexts(null, 0.001), ["planning\u2026", ""]);
   assert.deepEqual(waitingTexts({ ...progress, ticks: 0 }, 0.001), ["planning\u2026", ""]);
   assert.deepEqual(waitingTexts({ ...progress, left_s: null }, 0.001), ["planning\u2026", "planned so far: 1:01, up to line 12"]);

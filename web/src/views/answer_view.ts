@@ -2,7 +2,7 @@
 import { fitsOf, type Account } from "../plan/account.ts";
 import { countText, errorCount, messagesOf } from "../plan/messages.ts";
 import type { Plan, Quantity } from "../plan/plan.ts";
-import type { Progress, Shown } from "../plan/source.ts";
+import type { Shown } from "../plan/source.ts";
 import { SPLIT_NAMES, operationsOf, splitOf, toolsOf, total, type Part, type Split } from "../plan/split.ts";
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
@@ -10,7 +10,7 @@ import { h, table } from "../ui/dom.ts";
 import { cycleText, nameOf, numbered } from "../ui/header.ts";
 import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
 import { fitCard, fitText, offsetText } from "./fit_card.ts";
-import { waitingTexts } from "./waiting.ts";
+import { waitingTexts, type Waited } from "./waiting.ts";
 
 // What to change where a constraint costs time.
 const REMEDIES: readonly (readonly [RegExp, string])[] = [
@@ -43,7 +43,7 @@ export class AnswerView {
   private plan: Plan | null = null;
   private shown: Shown | null = null;
   private account: Account | null = null;
-  private progress: Progress | null = null; // of a plan that is on its way
+  private progress: Waited = null; // of a plan that is on its way
   private readonly store: Store;
 
   constructor(store: Store) {
@@ -62,7 +62,8 @@ export class AnswerView {
     this.build();
   }
 
-  showProgress(progress: Progress): void {
+  // Of a plan whose path is shown.
+  showProgress(progress: Waited): void {
     this.progress = progress;
     this.strip.firstElementChild?.replaceWith(this.waitingCard());
   }

@@ -5,8 +5,12 @@ import { clock } from "../units.ts";
 // No digits that an estimate does not have.
 const wholeSeconds = (seconds: number): string => clock(Math.round(seconds)).replace(/\.\d+/, "");
 
+// null: nothing is known yet. "none": it will not come.
+export type Waited = Progress | null | "none";
+
 // The whole time, as an estimate, and how much of it is planned.
-export function waitingTexts(progress: Progress | null, period_s: number): [string, string] {
+export function waitingTexts(progress: Waited, period_s: number): [string, string] {
+  if (progress === "none") return ["not planned", ""];
   if (!progress || progress.ticks === 0) return ["planning\u2026", ""];
   const done_s = progress.ticks * period_s;
   const soFar = `planned so far: ${wholeSeconds(done_s)}, up to line ${progress.line}`;
