@@ -17,6 +17,20 @@ class Tools(ControlCase):
         self.assertEqual(client.read_until(type="end")["exit_status"], 0)
         self.ends_at(process, 0, z=8.5)
 
+    def test_what_was_not_measured_of_a_tool_stays_as_the_table_has_it(self):
+        table = pathlib.Path(SOURCE, "programs/machines/table.toml").read_text()
+        without = re.sub(r"(?s)\[tools\].*?(?=\n\[)", "", table)
+        machine = self.path("m.toml", without + "\n[tools]\ntool = [{ number = 2, diameter_mm = 10, x_mm = 3, z_mm = 12.5 }]\n")
+        program = "G21 G90 G61\nT2 M6\nG43 H2\nG1 X10 Y0 Z0 F6000\nG41 D2 G1 X20 Y10\nG1 X40\nM2\n"
+        for measured, y in (({}, 15), ({"diameter_mm": 8}, 14)):
+            with self.subTest(measured=measured):
+                process, client = self.start(program, ["--machine", machine])
+                client.read_until(type="event", state="waiting", waits_for="answer")
+                self.assertTrue(client.ask("tool", number=2, length_mm=20, **measured)["accepted"])
+                self.assertTrue(client.ask("resume")["accepted"])
+                self.assertEqual(client.read_until(type="end")["exit_status"], 0)
+                self.ends_at(process, 0, x=43, y=y, z=20)
+
     def test_a_tool_that_the_table_does_not_have(self):
         table = pathlib.Path(SOURCE, "programs/machines/table.toml").read_text()
         without = re.sub(r"(?s)\[tools\].*?(?=\n\[)", "", table)

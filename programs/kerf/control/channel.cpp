@@ -42,6 +42,7 @@ class ControlChannel::Server {
         requests_(by, {.feed_inputs = order_.feed_inputs,
                        .machine_has_inputs = order_.machine_has_inputs,
                        .break_down = order_.break_down}) {
+                       .tools = order_.tools,
     if (endpoint.listens.is_open()) {
       acceptor_.emplace(context_, asio::local::stream_protocol(),
                         std::move(endpoint.listens).release());

@@ -27,6 +27,7 @@ class ControlChannel {
     parser::Letters extra{};  // the machine's axes beside X, Y and Z
     FeedInputNumbers feed_inputs{};
     bool machine_has_inputs = false;                        // RequestExecution::Order
+    ToolTable tools{};                                      // RequestExecution::Order, too
     std::function<bool(const PlannedFault&)> break_down{};  // false: nothing that can be broken
     bool others_answer = false;
     bool waits_for_start = false;

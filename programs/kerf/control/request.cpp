@@ -136,9 +136,9 @@ std::string read_tool(RequestKeys& keys, ControlRequest& request) {
   if (number.value_or(0) > ToolTable::kHighestNumber) {
     return "number is to be 0 to 99999";
   }
-  request.tool.number = request.tool.pocket = static_cast<std::int32_t>(number.value_or(0));
-  request.tool.offset_mm[2] = length_mm.value_or(0.0);
-  request.tool.diameter_mm = diameter_mm.value_or(0.0);
+  request.tool = {.number = static_cast<std::int32_t>(number.value_or(0)),
+                  .length_mm = length_mm.value_or(0.0),
+                  .diameter_mm = diameter_mm};
   return keys.complaint();
 }
 

@@ -13,6 +13,13 @@
 
 namespace kerf::program {
 
+// What was measured of a tool; nothing: not that.
+struct MeasuredTool {
+  std::int32_t number = 0;
+  double length_mm = 0.0;
+  std::optional<double> diameter_mm{};
+};
+
 // What a client asks for. What it does not name stays as it is.
 struct ControlRequest {
   enum class Kind : std::uint8_t {
@@ -42,7 +49,7 @@ struct ControlRequest {
   std::optional<std::uint64_t> digital{};
   double value = 0.0;               // of an input
   PlannedFault fault{};             // of a fault
-  Tool tool{};                      // of a tool
+  MeasuredTool tool{};              // of a tool
   std::optional<double> every_s{};  // of a status: again and again; 0: no more
   std::uint64_t since = 0;          // of events
   std::string name{};               // of the command, as the client wrote it

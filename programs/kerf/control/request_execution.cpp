@@ -32,7 +32,7 @@ tl::expected<void, Refusal> RequestExecution::carry_out(const ControlRequest& re
       return tl::unexpected(Refusal{.state = by_->status().state,
                                     .reason = "only the simulated table can be broken"});
     case ControlRequest::Kind::tool:
-      return by_->give(request.tool);
+      return set_tool(request.tool);
     case ControlRequest::Kind::command:
     case ControlRequest::Kind::status:
     case ControlRequest::Kind::events:
@@ -49,6 +49,25 @@ tl::expected<void, Refusal> RequestExecution::run_mdi(const std::string& line) {
     const auto error = std::ranges::find(found, Severity::error, &Diagnostic::severity);
     wrong_line_ = error->message + " [" + identifier(*error->page) + "]";
     given.error().reason = wrong_line_;
+  }
+  return given;
+}
+
+// What was not measured stays as the table has it.
+tl::expected<void, Refusal> RequestExecution::set_tool(const MeasuredTool& measured) {
+  const Tool* known = order_.tools.find(measured.number);
+  Tool tool = known != nullptr ? *known : Tool{};
+  tool.pocket = tool.number == measured.number ? tool.pocket : measured.number;
+  tool.number = measured.number;
+  tool.offset_mm[2] = measured.length_mm;
+  tool.length_wear_mm = 0.0;
+  if (measured.diameter_mm) {
+    tool.diameter_mm = *measured.diameter_mm;
+    tool.radius_wear_mm = 0.0;
+  }
+  auto given = by_->give(tool);  // also of a tool that is not in the table: it is refused
+  if (given) {
+    order_.tools.put(tool);
   }
   return given;
 }

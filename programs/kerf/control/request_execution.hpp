@@ -17,6 +17,7 @@ class RequestExecution {
   struct Order {
     FeedInputNumbers feed_inputs{};
     bool machine_has_inputs = false;                        // nobody else says what they are
+    ToolTable tools{};                                      // as the run begins
     std::function<bool(const PlannedFault&)> break_down{};  // false: nothing that can be broken
   };
   RequestExecution(Operator& by, Order order) : by_(&by), order_(std::move(order)) {}
@@ -27,6 +28,7 @@ class RequestExecution {
 
  private:
   tl::expected<void, Refusal> run_mdi(const std::string& line);
+  tl::expected<void, Refusal> set_tool(const MeasuredTool& measured);
   tl::expected<void, Refusal> set_input(const ControlRequest& request);
 
   Operator* by_;

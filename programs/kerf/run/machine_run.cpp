@@ -60,6 +60,7 @@ ControlChannel::Order channel_order(MotionStage& stage, Driver& driver) {
           .extra = stage.report().extra_axes,
           .feed_inputs = stage.order().settings.program.feed_inputs,
           .machine_has_inputs = driver.has_inputs(),
+          .tools = stage.order().settings.program.tools,
           .break_down = [&driver](const PlannedFault& fault) { return driver.break_down(fault); },
           .others_answer = stage.order().has_keys,
           .waits_for_start = waits_for_start(stage.order())};
