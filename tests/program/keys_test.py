@@ -136,6 +136,15 @@ class Keys(Case):
         self.press(b"\n")
         self.assertEqual(self.finish(process, 0)[-1], 20.0)
 
+    def test_a_key_that_does_nothing_says_why(self):
+        process = self.start("G21 G90\nG1 X400 F6000\nM2\n", sees=True)
+        self.press(b"\n")
+        self.seen(rb"not done: [a-z][^\r\n]*\r?\n")
+        self.press(b"X")
+        self.seen(rb"not done: [a-z][^\r\n]*\r?\n")
+        self.press(b"q")
+        self.finish(process, 7)
+
     def test_what_waits_for_a_person_is_written_once(self):
         waits = ((b"M0", b"an operator (program stop, M0)"), (b"M1", b"an operator (optional stop, M1)"),
                  (b"M60", b"the pallet change (M60)"), (b"T3 M6", b"tool 3 (M6)"))

@@ -4,6 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <string_view>
+#include <unistd.h>
+
+#include "programs/kerf/io/descriptor.hpp"
+#include "programs/kerf/io/progress_bar.hpp"
 
 namespace kerf::program {
 
@@ -45,27 +49,44 @@ void Keys::read() {
     } else if (key) {
       by_->ask(this, [this, key] { press(*key); });
     }
+    write_refusal();
   }
 }
 
-// What the state refuses is not done: the status line shows the state.
+void Keys::give(const OperatorOrder& order) {
+  const auto given = by_->give(order);
+  const std::lock_guard lock(mutex_);
+  refused_ = given ? "" : std::string(given.error().reason);
+}
+
+void Keys::write_refusal() {
+  std::string why;
+  {
+    const std::lock_guard lock(mutex_);
+    why.swap(refused_);
+  }
+  if (!why.empty()) {
+    write_all(STDERR_FILENO, std::string(ProgressBar::before_a_line()) + "not done: " + why + '\n');
+  }
+}
+
 void Keys::press(char key) {
   const ControllerStatus status = by_->status();
   const bool holds =
       status.state == ControllerState::holding || status.state == ControllerState::held;
   if (key == ' ') {
-    static_cast<void>(by_->give(holds ? Asked::resume : Asked::hold));
+    give(holds ? Asked::resume : Asked::hold);
   } else if (key == '\n' || key == '\r') {
     const bool is_idle = status.state == ControllerState::idle;
-    static_cast<void>(by_->give(is_idle ? Asked::start : Asked::resume));
+    give(is_idle ? Asked::start : Asked::resume);
   } else if (key == '+' || key == '=') {
     change_feed(feed_percent(status) + kFeedStep_percent);
   } else if (key == '-') {
     change_feed(feed_percent(status) - kFeedStep_percent);
   } else if (key == 's') {
-    static_cast<void>(by_->give(SingleBlock{.is_on = !status.single_block}));
+    give(SingleBlock{.is_on = !status.single_block});
   } else if (key == 'q') {
-    static_cast<void>(by_->give(Asked::stop));
+    give(Asked::stop);
   } else {
     move_by_hand(key);
   }
@@ -74,18 +95,18 @@ void Keys::press(char key) {
 void Keys::move_by_hand(char key) {
   const std::size_t axis = std::string_view("xyzXYZ").find(key);
   if (key == 'h') {
-    static_cast<void>(by_->give(Asked::home));
+    give(Asked::home);
   } else if (axis != std::string_view::npos) {
     Jog step{.is_step = true};
     step.mm[axis % step.mm.size()] = axis < step.mm.size() ? -kStep_mm : kStep_mm;
-    static_cast<void>(by_->give(step));
+    give(step);
   }
 }
 
 void Keys::change_feed(int percent) {
   Overrides overrides = by_->status().overrides;
   overrides.feed = 0.01 * std::clamp(percent, 0, kMaxFeed_percent);
-  static_cast<void>(by_->give(overrides));
+  give(overrides);
 }
 
 }  // namespace kerf::program

@@ -36,7 +36,7 @@ MessagePrinter::MessagePrinter(const Controller& controller, std::string file, W
     : controller_(&controller),
       file_(std::move(file)),
       waits_(waits),
-      before_(ProgressBar::has_terminal() ? "\r\x1b[K" : ""),
+      before_(ProgressBar::before_a_line()),
       thread_([this] {
         while (!over_) {
           print_new();

@@ -46,6 +46,10 @@ class ProgressBar {
 
   // Is there a terminal to draw on?
   [[nodiscard]] static bool has_terminal() noexcept;
+  // What is written before a line of another kind takes the bar's place; empty without a terminal.
+  [[nodiscard]] static const char* before_a_line() noexcept {
+    return has_terminal() ? "\r\x1b[K" : "";
+  }
 
  private:
   void draw();
