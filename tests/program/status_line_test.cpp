@@ -38,10 +38,30 @@ TEST(StatusLine, SaysWhyARunningProgramStands) {
   EXPECT_EQ(status_line(status), "running   line 0      stands: the feed is at 0 %   0 %");
   status.overrides.feed = 1.0;
   status.feed_inputs.adaptive = 0.0;
+  status.setpoint.outputs.follows_adaptive_feed = true;
   EXPECT_EQ(status_line(status),
             "running   line 0      stands: the machine's feed is at 0 % 100 %");
   status.feed_inputs.stop = true;
   EXPECT_EQ(status_line(status), "running   line 0      stands: the machine stops the feed 100 %");
+}
+
+TEST(StatusLine, BlamesNoInputThatDoesNotCountHere) {
+  ControllerStatus status{.state = ControllerState::running};
+  status.is_held_by_feed = true;
+  status.overrides.feed = 0.0;
+  status.feed_inputs = {.adaptive = 0.0, .stop = true};
+  status.setpoint.outputs.heeds_feed_stop = false;
+  EXPECT_EQ(status_line(status), "running   line 0      stands: the feed is at 0 %   0 %");
+}
+
+TEST(StatusLine, NamesTheOpenDoorInPlaceOfAKeyThatDoesNothing) {
+  ControllerStatus at_stop = waiting(WaitsFor::answer, WaitCause::program_stop);
+  at_stop.door_open = true;
+  EXPECT_EQ(status_line(at_stop),
+            "waiting   line 3      for an operator (program stop, M0): the door is open 100 %");
+  ControllerStatus held{.state = ControllerState::held};
+  held.door_open = true;
+  EXPECT_EQ(status_line(held), "held      line 0      the door is open 100 %");
 }
 
 TEST(StatusLine, CallsForAnAnswerByWhatAsksForIt) {

@@ -19,6 +19,7 @@
 #include "programs/kerf/control/replies.hpp"
 #include "programs/kerf/control/request.hpp"
 #include "programs/kerf/control/request_execution.hpp"
+#include "programs/kerf/control/status_line.hpp"
 
 namespace kerf::program {
 
@@ -41,8 +42,8 @@ class ControlChannel::Server {
         file_(std::move(endpoint.file)),
         requests_(by, {.feed_inputs = order_.feed_inputs,
                        .machine_has_inputs = order_.machine_has_inputs,
-                       .break_down = order_.break_down}) {
                        .tools = order_.tools,
+                       .break_down = order_.break_down}) {
     if (endpoint.listens.is_open()) {
       acceptor_.emplace(context_, asio::local::stream_protocol(),
                         std::move(endpoint.listens).release());
@@ -177,8 +178,7 @@ class ControlChannel::Server {
 
   // The machine's own inputs let it go on by themselves.
   [[nodiscard]] bool is_held_by_feed(const ControllerStatus& status) const noexcept {
-    return status.is_held_by_feed &&
-           !(order_.machine_has_inputs && status.overrides.feed >= Overrides::kLeastFeed);
+    return status.is_held_by_feed && !(order_.machine_has_inputs && is_held_by_machine(status));
   }
 
   void answer(const std::shared_ptr<ControlClient>& client, std::optional<std::string_view> line) {

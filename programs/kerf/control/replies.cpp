@@ -128,6 +128,7 @@ std::string status_json(std::string_view id, const ControllerStatus& status,
                        {"spindle_percent", percent_of(status.overrides.spindle)}};
   json["adaptive_feed_percent"] = percent_of(status.feed_inputs.adaptive);
   json["feed_stop"] = status.feed_inputs.stop;
+  json["held_by_feed"] = status.is_held_by_feed;
   json["single_block"] = status.single_block;
   json["optional_stop"] = status.optional_stop;
   json["block_delete"] = Json::array();

@@ -30,11 +30,15 @@ std::string awaited_answer(const ControllerStatus& status) {
   return "for an operator";
 }
 
+bool stops_feed(const ControllerStatus& status) noexcept {
+  return status.feed_inputs.stop && status.setpoint.outputs.heeds_feed_stop;
+}
+
 // Empty: it moves, or the state says it.
 std::string why_it_stands(const ControllerStatus& status) {
   switch (status.waits_for) {
     case WaitsFor::answer:
-      return awaited_answer(status) + ": Enter goes on";
+      return awaited_answer(status) + (status.door_open ? ": the door is open" : ": Enter goes on");
     case WaitsFor::text:
       return "for text";
     case WaitsFor::planning:
@@ -44,12 +48,15 @@ std::string why_it_stands(const ControllerStatus& status) {
     case WaitsFor::nothing:
       break;
   }
+  if (status.door_open) {
+    return "the door is open";
+  }
   if (!status.is_held_by_feed || status.state != ControllerState::running) {
     return "";
   }
-  return status.feed_inputs.stop                         ? "stands: the machine stops the feed"
-         : status.overrides.feed < Overrides::kLeastFeed ? "stands: the feed is at 0 %"
-                                                         : "stands: the machine's feed is at 0 %";
+  return !is_held_by_machine(status) ? "stands: the feed is at 0 %"
+         : stops_feed(status)        ? "stands: the machine stops the feed"
+                                     : "stands: the machine's feed is at 0 %";
 }
 
 }  // namespace
@@ -62,6 +69,11 @@ std::string status_line(const ControllerStatus& status) {
       why.empty() ? fmt::format("F{:<6.0f}", kPerMinute * status.setpoint.v_mm_s) : why,
       std::lround(100.0 * status.overrides.feed), status.single_block ? " single block" : "",
       status.left_s ? " left " + clock_time(*status.left_s) : "");
+}
+
+bool is_held_by_machine(const ControllerStatus& status) noexcept {
+  return stops_feed(status) || (status.setpoint.outputs.follows_adaptive_feed &&
+                                status.feed_inputs.adaptive < Overrides::kLeastFeed);
 }
 
 std::string call_for_answer(const ControllerStatus& status) {

@@ -13,4 +13,7 @@ namespace kerf::program {
 // "waiting at line 3 for tool 3 (M6): Enter goes on". Precondition: it waits for an answer.
 [[nodiscard]] std::string call_for_answer(const ControllerStatus& status);
 
+// Its inputs hold the tool, where the program lets them.
+bool is_held_by_machine(const ControllerStatus& status) noexcept;
+
 }  // namespace kerf::program
