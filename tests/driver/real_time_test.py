@@ -13,6 +13,7 @@ import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "program"))
 from command_line import Case, KERF, SQUARE, main  # noqa: E402
+from control_channel import connect  # noqa: E402
 
 WAY = "G21 G90 G61\nF1200\nG1 X200\nM30\n"  # 10 s
 MACHINE = """[path]
@@ -73,6 +74,19 @@ class RealTime(Case):
         status, text, _ = self.run_and_suspend(0.6)
         self.assertEqual(status, 4, text)
         self.assertRegex(text, r"machine fault: no tick for 0\.\d+ s")
+
+    def test_row_74_a_client_hears_of_the_fault(self):
+        place = self.path("kerf.sock")
+        process = subprocess.Popen([KERF, "run", self.path("way.ngc", WAY), "--control", place], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.kill)
+        client = connect(self, process, place)
+        client.read_until(type="event", state="running")
+        process.send_signal(signal.SIGSTOP)
+        time.sleep(0.7)
+        process.send_signal(signal.SIGCONT)
+        client.read_until(type="event", state="fault")
+        self.assertEqual(client.read_until(type="end")["exit_status"], 4)
+        process.communicate(timeout=60)
 
     def test_what_is_not_permitted_is_told_and_the_run_goes_on(self):
         def unprivileged():

@@ -151,6 +151,7 @@ class Ticks {
       const std::int64_t begin_ns = TickTimer::now_ns();
       if (gap_s > 0.0) {
         outcome_.gap = TickGap{.duration_s = gap_s, .line = record_.line, .tick = record_.tick};
+        order_.controller.fail();
         break;
       }
       stop_where_late(timer, planning);
