@@ -166,6 +166,21 @@ class MachineFaults(Case):
         self.check_is_repeated_from_its_record(fault("door_open"), 7)
 
     def test_a_run_whose_emergency_loop_opened_is_repeated_from_its_record(self):
+    def test_a_run_that_ends_in_a_fault_while_the_door_holds_it_is_repeated_from_its_record(self):
+        self.path("m.toml", MACHINE + fault("door_open", at_s=0.5) + fault("drive_trip", "x", at_s=1.5))
+        place = self.path("kerf.sock")
+        run = subprocess.Popen([KERF, "run", "-q", self.path("way.ngc", WAY.format(before="")), "--machine", self.path("m.toml"), "--control", place,
+                                "--record", self.path("first.rec")], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(run.kill)
+        client = connect(self, run, place)
+        client.read_until(type="event", state="held")
+        client.read_until(type="event", state="fault")
+        run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 4)
+        self.kerf("dry-run", "-q", self.path("way.ngc"), "--machine", self.path("m.toml", MACHINE), "--replay", self.path("first.rec"),
+                  "--record", self.path("again.rec"), status=4)
+        self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
+
         self.check_is_repeated_from_its_record(fault("emergency_loop"), 8)
 
     def test_a_spindle_that_does_not_start_is_a_fault_after_its_time_out(self):

@@ -85,12 +85,13 @@ void choose_pace(const MotionOrder& order, const FileReport& report, bool is_att
 
 // Nothing: the ticks are those of the program alone. Not so where a door stopped it or a search for
 // the home switches went on, each at the tick at which planning saw it, nor where the machine asked
-// for an emergency stop.
+// for an emergency stop. A fault may end what a door held.
 std::string kept_of(const std::optional<PlanPace>& pace, const RunOutcome& outcome,
                     const Operator& by) {
   const PlanRecord record = pace ? pace->record() : PlanRecord();
   const bool is_kept = record.has_orders() || outcome.starved_ticks > 0 || by.has_stopped() ||
-                       record.homes || by.status().state == ControllerState::emergency_stop;
+                       record.homes || by.status().state == ControllerState::emergency_stop ||
+                       by.status().state == ControllerState::fault;
   return is_kept ? record.bytes() : std::string();
 }
 
