@@ -148,6 +148,7 @@ class MachineFaults(Case):
     def test_an_open_door_stops_a_run_that_nobody_can_let_go_on(self):
         report, rows = self.run_with(fault("door_open"), status=7, options=("--trace", self.path("t.csv")))
         self.assertNotIn("fault", report)
+        self.assertIn("the door was opened, and nobody could let the run go on", report["warnings"])
         with open(self.path("t.csv")) as file:
             rows = [{key: float(value or "nan") for key, value in row.items()} for row in csv.DictReader(line for line in file if not line.startswith("#"))]
         self.assert_brakes_on_the_path(rows)
@@ -165,7 +166,6 @@ class MachineFaults(Case):
     def test_a_run_that_the_door_stopped_is_repeated_from_its_record(self):
         self.check_is_repeated_from_its_record(fault("door_open"), 7)
 
-    def test_a_run_whose_emergency_loop_opened_is_repeated_from_its_record(self):
     def test_a_run_that_ends_in_a_fault_while_the_door_holds_it_is_repeated_from_its_record(self):
         self.path("m.toml", MACHINE + fault("door_open", at_s=0.5) + fault("drive_trip", "x", at_s=1.5))
         place = self.path("kerf.sock")
@@ -181,6 +181,7 @@ class MachineFaults(Case):
                   "--record", self.path("again.rec"), status=4)
         self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("first.rec")).read_bytes())
 
+    def test_a_run_whose_emergency_loop_opened_is_repeated_from_its_record(self):
         self.check_is_repeated_from_its_record(fault("emergency_loop"), 8)
 
     def test_a_spindle_that_does_not_start_is_a_fault_after_its_time_out(self):

@@ -82,7 +82,19 @@ void Operator::stop_at_door(const ControllerStatus& status) {
       status.state == ControllerState::running || status.state == ControllerState::waiting ||
       status.state == ControllerState::holding || status.state == ControllerState::held;
   if (status.door_open && goes_on) {
-    static_cast<void>(execute(kerf::Command::stop));  // refused: it has come to its end
+    const bool stops = execute(kerf::Command::stop).has_value();  // else it has come to its end
+    has_door_stopped_ = has_door_stopped_ || stops;
+  }
+}
+
+// A record has what followed from it.
+void Operator::begin_with(const machine::MachineInputs& inputs) {
+  controller_->set_door(inputs.door_open);
+  hear(inputs);
+  if (pace_ != nullptr && pace_->is_repeated()) {
+    carry_out_once_more();
+  } else {
+    follow_machine();
   }
 }
 

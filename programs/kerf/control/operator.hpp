@@ -60,6 +60,8 @@ class Operator {
   [[nodiscard]] bool has_started() const noexcept { return has_started_; }
   // What somebody changed first that the program by itself does not know, in words; null: nothing.
   [[nodiscard]] const char* first_change() const noexcept { return first_change_; }
+  // The machine's door was opened, and the program stopped, for nobody could let it go on.
+  [[nodiscard]] bool has_door_stopped() const noexcept { return has_door_stopped_; }
 
  private:
   tl::expected<void, Refusal> execute(const OperatorOrder& order);
@@ -90,6 +92,7 @@ class Operator {
   std::atomic<bool> has_stopped_ = false;
   std::atomic<const char*> first_change_ = nullptr;
   std::mutex mutex_;
+  std::atomic<bool> has_door_stopped_ = false;
   struct Asked {
     const void* asker = nullptr;
     std::function<void()> order;

@@ -34,8 +34,9 @@ std::string verdict(ExitStatus status) {
     case ExitStatus::interrupted:
     case ExitStatus::terminated:
     case ExitStatus::hung_up:
-    case ExitStatus::stopped:
       return "stopped on the path, as asked for";
+    case ExitStatus::stopped:
+      return "stopped on the path";
     case ExitStatus::emergency_stop:
       return "emergency stop";
     default:

@@ -174,6 +174,9 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
                 .is_unhomed = last.unhomed != 0,
                 .is_emergency = last.state == ControllerState::emergency_stop});
   if (channel) {
+  if (by.has_door_stopped()) {
+    report.warnings.emplace_back("the door was opened, and nobody could let the run go on");
+  }
     channel->close();
     by.carry_out();  // what came too late is refused
     channel->finish(report.status, last_words(report, no_home));
