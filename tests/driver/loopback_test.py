@@ -227,6 +227,28 @@ class Loopback(Case):
         self.kerf("dry-run", "-q", self.path("way.ngc"), "--machine", self.file, "--replay", self.path("run.rec"), "--record", self.path("again.rec"))
         self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("run.rec")).read_bytes())
 
+    def test_nothing_moves_while_the_machine_stops_the_feed_from_the_begin(self):
+        machine = self.start_machine("feed", "0")
+        with open(self.file, "a") as file:
+            file.write("[inputs]\nfeed_stop = 5\n")
+        kerf = self.start_kerf("G21 G90 G61\nG1 X20 F1200\nM30\n", "--record", self.path("run.rec"))
+        _, err = kerf.communicate(timeout=120)
+        machine.communicate(timeout=60)
+        self.assertEqual(kerf.returncode, 0, err)
+        first = next(t for t, x in self.rows() if x != 0)
+        self.assertGreater(first, 2.5)  # of 3 s
+        self.assertEqual(self.rows()[-1][1], 20)
+        self.kerf("dry-run", "-q", self.path("way.ngc"), "--machine", self.file, "--replay", self.path("run.rec"), "--record", self.path("again.rec"))
+        self.assertEqual(pathlib.Path(self.path("again.rec")).read_bytes(), pathlib.Path(self.path("run.rec")).read_bytes())
+
+    def test_no_run_begins_while_the_door_is_open(self):
+        machine = self.start_machine("door", "0")
+        kerf = self.start_kerf()
+        _, err = kerf.communicate(timeout=120)
+        machine.communicate(timeout=60)
+        self.assertEqual(kerf.returncode, 4, err)
+        self.assertIn("the door is open", err)
+
     def test_a_machine_whose_queue_is_full_does_not_answer(self):
         self.socket = self.path("full.sock")
         self.file = self.path("machine.toml", MACHINE.format(timeout_s=TIMEOUT_S, socket=self.socket))

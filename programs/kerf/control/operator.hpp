@@ -40,7 +40,9 @@ class Operator {
   // For what it says.
   [[nodiscard]] const Controller& controller() const noexcept { return *controller_; }
 
-  // What the machine says, as of the latest tick. The thread of the ticks; real time.
+  // What the machine says before the first tick. Nobody else gives an order yet.
+  void begin_with(const machine::MachineInputs& inputs);
+  // The same of each tick. The thread of the ticks; real time.
   void hear(const machine::MachineInputs& inputs) noexcept;
 
   // Who asked is going: none of its orders is carried out any more. In the thread that plans, or
@@ -58,10 +60,10 @@ class Operator {
   // Any thread. Somebody stopped the program, or what comes before it.
   [[nodiscard]] bool has_stopped() const noexcept { return has_stopped_; }
   [[nodiscard]] bool has_started() const noexcept { return has_started_; }
-  // What somebody changed first that the program by itself does not know, in words; null: nothing.
-  [[nodiscard]] const char* first_change() const noexcept { return first_change_; }
   // The machine's door was opened, and the program stopped, for nobody could let it go on.
   [[nodiscard]] bool has_door_stopped() const noexcept { return has_door_stopped_; }
+  // What somebody changed first that the program by itself does not know, in words; null: nothing.
+  [[nodiscard]] const char* first_change() const noexcept { return first_change_; }
 
  private:
   tl::expected<void, Refusal> execute(const OperatorOrder& order);
@@ -90,9 +92,9 @@ class Operator {
   std::atomic<bool> has_emergency_ = false;
   std::atomic<bool> has_started_ = false;
   std::atomic<bool> has_stopped_ = false;
+  std::atomic<bool> has_door_stopped_ = false;
   std::atomic<const char*> first_change_ = nullptr;
   std::mutex mutex_;
-  std::atomic<bool> has_door_stopped_ = false;
   struct Asked {
     const void* asker = nullptr;
     std::function<void()> order;

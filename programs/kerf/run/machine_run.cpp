@@ -151,6 +151,7 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
   Controller controller(order.settings, options);
   Operator by(controller, is_attended, pace ? &*pace : nullptr,
               driver.has_inputs() ? order.settings.program.feed_inputs : FeedInputNumbers{});
+  by.begin_with(stage.inputs());
   if (const auto begun = begin(by, order); !begun) {
     report.fail(ExitStatus::machine_fault, std::string(begun.error().reason));
     return {};
@@ -173,10 +174,10 @@ std::string run_with(std::optional<ControlEndpoint> control, MotionStage& stage,
                 .no_home = no_home,
                 .is_unhomed = last.unhomed != 0,
                 .is_emergency = last.state == ControllerState::emergency_stop});
-  if (channel) {
   if (by.has_door_stopped()) {
     report.warnings.emplace_back("the door was opened, and nobody could let the run go on");
   }
+  if (channel) {
     channel->close();
     by.carry_out();  // what came too late is refused
     channel->finish(report.status, last_words(report, no_home));

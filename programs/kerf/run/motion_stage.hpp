@@ -57,6 +57,8 @@ class MotionStage {
   }
   [[nodiscard]] RunStage stage_with(Feeder& feeder);
   void disable() noexcept { ticks_.disable(); }
+  // Of the machine, as of the latest tick or before the first.
+  [[nodiscard]] const machine::MachineInputs& inputs() const noexcept { return ticks_.inputs(); }
 
   // Fills in the report and ends the files.
   struct End {
