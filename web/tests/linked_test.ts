@@ -51,6 +51,20 @@ test("a place on the path that is pointed at shows its line and instant, and goe
   await page.context().close();
 });
 
+test("a place that was pointed at is not told any more while the program plays", async () => {
+  const { page } = await openReport([pocket]);
+  const box = (await page.locator(".path-view").boundingBox())!;
+  const tip = page.locator(".tip");
+  for (let x = 0.3; x < 0.8 && !(await tip.isVisible()); x += 0.01) {
+    await page.mouse.move(box.x + x * box.width, box.y + 0.5 * box.height);
+    await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  }
+  assert.ok(await tip.isVisible());
+  await page.keyboard.press(" ");
+  await page.waitForFunction(() => document.querySelector<HTMLElement>(".tip")!.hidden, null, { timeout: 5000 });
+  await page.context().close();
+});
+
 test("an instant that is clicked in the chart marks its line", async () => {
   const { page, said } = await openReport([pocket]);
   const over = (await page.locator(".u-over").first().boundingBox())!;

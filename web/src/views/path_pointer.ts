@@ -10,7 +10,7 @@ const PICK_PIXELS = 12;
 
 export class PathPointer {
   readonly tip = h("div", { class: "tip", hidden: true });
-  plan: Plan | null = null; // null: nothing can be pointed at
+  private plan: Plan | null = null;
   private readonly store: Store;
   private readonly canvas: HTMLElement;
   private readonly projection: () => Matrix4;
@@ -33,6 +33,9 @@ export class PathPointer {
       moved = null;
       this.leave();
     });
+    store.listen((state, change, origin) => {
+      if (state.playing || (origin !== "path" && change.hover === null)) this.tip.hidden = true;
+    });
     let down: [number, number] = [0, 0];
     canvas.addEventListener("pointerdown", (event) => (down = [event.clientX, event.clientY]));
     canvas.addEventListener("click", (event) => {
@@ -40,6 +43,12 @@ export class PathPointer {
       const tick = way < 4 ? this.pick(event) : null;
       if (tick !== null) store.set({ tick, hover: null, playing: false }, "path");
     });
+  }
+
+  // null: nothing can be pointed at.
+  show(plan: Plan | null): void {
+    this.plan = plan;
+    this.tip.hidden = true;
   }
 
   // The tick at which the tool passes nearest to the pointer; null: nowhere near it.

@@ -54,7 +54,7 @@ export class PathView {
 
   show(plan: Plan): void {
     this.plan = plan.path ? plan : null;
-    this.pointer.plan = this.plan;
+    this.pointer.show(this.plan);
     this.scene.show(plan.path);
     this.furnished = plan;
     this.scene.furnish(plan, this.ground);
