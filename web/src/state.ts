@@ -50,9 +50,10 @@ export class Store {
     this.set({ plan, tick: 0, hover: null, shown: null, span: null, camera: "", playing: false }, origin);
   }
 
-  // Plans in place of those that are shown: of the same program, as of one that is typed, the eye and the instant stay.
+  // Plans in place of those that are shown: of the same program, as of one that is typed, the eye, the instant and what the charts
+  // show stay.
   replacePlans(isSameProgram: boolean, origin: Origin): void {
-    if (isSameProgram) this.set({ plan: 0, hover: null, span: null, playing: false }, origin);
+    if (isSameProgram) this.set({ plan: 0, hover: null, playing: false }, origin);
     else this.showPlan(0, origin);
   }
 

@@ -244,6 +244,23 @@ test("a chart that is near has each tick of a long program, which are those of a
   assert.equal(await note.count(), 1);
 });
 
+test("what the charts show stays where the same program is planned anew", async () => {
+  await open("Open a program", program("G1 F600 X10\nX20\nM2\n", "zoomed.ngc"));
+  await caretTo("Control+Home", "ArrowDown");
+  await page.locator("button", { hasText: "near" }).click();
+  const span = async (): Promise<string | null> => {
+    await page.waitForTimeout(400); // the address follows a moment later
+    return new URLSearchParams(new URL(page.url()).hash.slice(1)).get("span");
+  };
+  const near = await span();
+  assert.match(near ?? "", /^\d+,\d+$/);
+  await after_(() => page.locator("select[aria-label=Profile]").selectOption("s-curve"));
+  assert.equal(await span(), near);
+  await after_(() => page.locator("select[aria-label=Profile]").selectOption("time-optimal"));
+  await open("Open a program", program("G1 F600 X30\nM2\n", "other.ngc"));
+  assert.equal(await span(), null, "another program is seen as a whole");
+});
+
 test("a file that cannot be read is told until another is chosen, whatever is planned meanwhile", async () => {
   const input = page.locator('input[aria-label^="Open a program"]');
   const isTold = (): Promise<boolean> => page.evaluate(() => document.querySelector(".refusal")?.textContent === "gone.ngc cannot be read: it is gone");

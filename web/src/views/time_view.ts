@@ -51,6 +51,7 @@ export class TimeView {
     this.plan = plan.motion ? plan : null;
     this.finer.show(this.plan, partOf);
     const last = Math.max(1, plan.motion?.lastTick ?? 1);
+    if (this.plan && (this.store.state.span?.[0] ?? 0) >= last) this.store.set({ span: null }, "time"); // it ends before
     const [from, to] = this.store.state.span ?? [0, last];
     this.span = from < last ? { from, to: Math.min(to, last) } : { from: 0, to: last };
     this.showNote(plan);
