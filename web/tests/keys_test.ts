@@ -146,3 +146,32 @@ test("the about box lists the keys", async () => {
   for (const wanted of ["space", "comma", "arrow keys", "in the path", "in the charts", "on the tabs", "Shift", "Home"]) assert.ok(keys.includes(wanted), wanted);
   await page.context().close();
 });
+
+test("what is chosen of a legend by a key keeps the focus", async () => {
+  const { page, said } = await openReport([pocket]);
+  await page.locator("select[aria-label^=Colour]").selectOption("limit");
+  const part = page.locator(".legend button").nth(1);
+  await part.focus();
+  await page.keyboard.press("Enter");
+  assert.equal(await part.getAttribute("aria-pressed"), "true");
+  assert.ok(await part.evaluate((button) => button === document.activeElement));
+  await page.keyboard.press("Enter");
+  assert.equal(await part.getAttribute("aria-pressed"), "false");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("a drag over the charts that ends after they were drawn anew changes nothing", async () => {
+  const { page, said } = await openReport([pocket], "#span=100,900");
+  const over = (await page.locator(".u-over").first().boundingBox())!;
+  await page.mouse.move(over.x + 0.3 * over.width, over.y + 10);
+  await page.mouse.down();
+  await page.mouse.move(over.x + 0.6 * over.width, over.y + 10, { steps: 4 });
+  await page.evaluate(() => [...document.querySelectorAll("button")].find((button) => button.textContent === "inch")!.click());
+  await page.mouse.up();
+  await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
+  assert.doesNotMatch(await fragmentOf(page), /NaN/);
+  assert.match(await fragmentOf(page), /span=100,900/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});

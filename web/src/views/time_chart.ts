@@ -114,7 +114,7 @@ export class TimeChart {
   }
 
   private dragged(u: uPlot): void {
-    if (u.select.width < 4) return;
+    if (u !== this.plot || u.select.width < 4) return; // one that is gone still hears where the drag ends
     const size = this.span.to - this.span.from;
     const at = (pixel: number): number => this.span.from + (pixel / u.over.clientWidth) * size;
     const chosen = { from: at(u.select.left), to: at(u.select.left + u.select.width) };

@@ -71,7 +71,7 @@ export class TimeView {
 
   // All of the program, or as near as the wheel goes.
   zoomTo(span: Span): void {
-    if (!this.plan) return;
+    if (!this.plan || Number.isNaN(span.from + span.to)) return;
     const last = this.plan.motion!.lastTick;
     const ticks = NEAREST_TICKS * (this.finer.canAsk ? 1 : this.plan.motion!.ticksPerColumn);
     const nearest = Math.min(ticks, Math.max(1, last));
