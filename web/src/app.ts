@@ -5,7 +5,7 @@ import type { Plan } from "./plan/plan.ts";
 import type { Progress, Shown } from "./plan/source.ts";
 import { Store, fromFragment, initialState, type ColourBy } from "./state.ts";
 import { Address } from "./ui/address.ts";
-import { h } from "./ui/dom.ts";
+import { h, replaceKeepingFocus } from "./ui/dom.ts";
 import { Header, namesOf } from "./ui/header.ts";
 import { PlayBar } from "./ui/play_bar.ts";
 import { Tabs, type Pane } from "./ui/tabs.ts";
@@ -230,7 +230,7 @@ export class App {
     const { colouring } = this.path ?? {};
     const { path, motion } = this.plan;
     const ticks = motion?.lastTick ?? path?.tick[path.tick.length - 1] ?? 0;
-    this.legend.replaceChildren(...(colouring && path ? [legendOf(colouring, this.store, this.isDark, ticks)] : []));
+    replaceKeepingFocus(this.legend, ...(colouring && path ? [legendOf(colouring, this.store, this.isDark, ticks)] : []));
   }
 
   private key(event: KeyboardEvent): void {

@@ -18,6 +18,14 @@ export function h<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
+// New children in place of the old ones; the button of the same number has the focus that one of them had.
+export function replaceKeepingFocus(parent: HTMLElement, ...children: Node[]): void {
+  const buttons = (): HTMLButtonElement[] => [...parent.querySelectorAll("button")];
+  const focused = buttons().findIndex((button) => button === document.activeElement);
+  parent.replaceChildren(...children);
+  if (focused >= 0) buttons()[focused]?.focus({ preventScroll: true });
+}
+
 // A group of buttons of which one is pressed.
 export function choice<T extends string>(
   label: string,

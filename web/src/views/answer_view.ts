@@ -6,7 +6,7 @@ import type { Shown } from "../plan/source.ts";
 import { SPLIT_NAMES, operationsOf, splitOf, toolsOf, total, type Part, type Split } from "../plan/split.ts";
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
-import { h, table } from "../ui/dom.ts";
+import { h, replaceKeepingFocus, table } from "../ui/dom.ts";
 import { cycleText, nameOf, numbered } from "../ui/header.ts";
 import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
 import { fitCard, fitText, offsetText } from "./fit_card.ts";
@@ -78,7 +78,7 @@ export class AnswerView {
     if (!this.plan || !this.account) return;
     this.strip.replaceChildren(...this.cards());
     this.strip.classList.toggle("stopped", this.plan.motion === null);
-    this.details.replaceChildren(...this.sections());
+    replaceKeepingFocus(this.details, ...this.sections());
   }
 
   private card(title: string, test: string, ...children: (Node | string | null)[]): HTMLElement {

@@ -3,7 +3,7 @@ import { SPLIT_NAMES, splitOf, total } from "../plan/split.ts";
 import { largestFirst, limitRows, lineRows, type LineRow, type Ran, type Row } from "../plan/difference.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
-import { h, select, table } from "../ui/dom.ts";
+import { h, replaceKeepingFocus, select, table } from "../ui/dom.ts";
 import { clock, difference } from "../units.ts";
 
 const ROWS_AT_ONCE = 200;
@@ -90,7 +90,8 @@ export class DifferenceView {
     const { base, other } = this.pair!;
     const shown = (this.inOrder ? rows : largestFirst(rows)).slice(0, this.drawn);
     const more = rows.length - shown.length;
-    this.lines.replaceChildren(
+    replaceKeepingFocus(
+      this.lines,
       table(["line", "program", base.name, other.name, "difference"], shown.map((row) => [this.lineName(row), h("code", {}, row.text), ...this.cells(row)]), "difference-lines"),
       ...(more > 0 ? [h("button", { type: "button", click: () => this.drawMore() }, `${more} more lines`)] : []),
     );
