@@ -194,7 +194,8 @@ class Playground implements PlanSource {
     if (this.isPlanning || !known) return null;
     const nobody = { showPath: () => undefined, showProgress: () => undefined };
     const answer = await this.kernel.plan({ ...known.order, part }, nobody);
-    return answer && "plan" in answer ? answer.plan : null;
+    if (answer && "refused" in answer) throw new Error(answer.refused.join("\n"));
+    return answer?.plan ?? null;
   }
 
   // The last two, and the one that others are compared with.

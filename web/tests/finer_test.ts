@@ -8,6 +8,7 @@ import { planOf } from "./helper.ts";
 
 const TICKS = 4_000_000;
 const LONG_MS = 400; // by then it has asked
+const BUSY_MS = 1200; // by then once more
 
 function longPlan(): Plan {
   const plan = planOf([{ ticks: 4, line: 1, kind: RunKind.cut }]);
@@ -25,9 +26,13 @@ function planOfPart({ first, last }: Part): Plan {
 class Kernel {
   readonly asked: Part[] = [];
   readonly answers: ((plan: Plan | null) => void)[] = [];
+  readonly refusals: ((why: Error) => void)[] = [];
   readonly partOf = (_plan: Plan, part: Part): Promise<Plan | null> => {
     this.asked.push(part);
-    return new Promise((resolve) => this.answers.push(resolve));
+    return new Promise((resolve, reject) => {
+      this.answers.push(resolve);
+      this.refusals.push(reject);
+    });
   };
 }
 
@@ -67,12 +72,16 @@ test("the last of several spans is asked for, and seen where it reaches", async 
   finer.see({ from: 1_000_000, to: 1_000_100 }, 1000);
   await passed(LONG_MS);
   assert.deepEqual(kernel.asked, [{ first: 950_000, last: 1_050_100 }]);
-  assert.equal(finer.isAsking, true);
+  assert.equal(finer.within({ from: 1_050_000, to: 1_050_101 }), "coming");
+  assert.equal(finer.within({ from: 0, to: TICKS - 1 }), "nearer");
   assert.equal(finer.in({ from: 1_000_000, to: 1_000_100 }), plan);
+  finer.see({ from: 1_000_100, to: 1_000_200 }, 1000);
+  await passed(LONG_MS);
+  assert.equal(kernel.asked.length, 1, "it is on its way already");
   const part = planOfPart(kernel.asked[0]!);
   kernel.answers[0]!(part);
   await passed(0);
-  assert.equal(finer.isAsking, false);
+  assert.equal(finer.within({ from: 1_000_000, to: 1_000_100 }), "seen");
   assert.equal(changes(), 2);
   for (const [from, to, isPart] of [
     [950_000, 950_001, true],
@@ -107,7 +116,7 @@ test("an answer to an older question, or to one about another plan, is not taken
   await passed(LONG_MS);
   kernel.answers[0]!(planOfPart(kernel.asked[0]!));
   await passed(0);
-  assert.equal(finer.isAsking, true);
+  assert.equal(finer.within({ from: 500_000, to: 500_008 }), "coming");
   const other = longPlan();
   finer.show(other, kernel.partOf);
   kernel.answers[1]!(planOfPart(kernel.asked[1]!));
@@ -116,17 +125,33 @@ test("an answer to an older question, or to one about another plan, is not taken
   assert.equal(finer.in({ from: 500_000, to: 500_008 }), other);
 });
 
-test("what was refused is not asked for again until another span is seen", async () => {
+test("a kernel that has something else to do is asked again", async () => {
   const { finer, kernel } = looked(longPlan());
   const span = { from: 0, to: 8 };
   finer.see(span, 1000);
   await passed(LONG_MS);
   kernel.answers[0]!(null);
   await passed(0);
+  assert.equal(finer.within(span), "coming");
   finer.see(span, 1000);
-  await passed(LONG_MS);
-  assert.equal(kernel.asked.length, 1);
+  await passed(BUSY_MS);
+  assert.equal(kernel.asked.length, 2);
+  kernel.answers[1]!(planOfPart(kernel.asked[1]!));
+  await passed(0);
+  assert.equal(finer.within(span), "seen");
+});
+
+test("what is refused is told, and not asked for again", async () => {
+  const { finer, kernel } = looked(longPlan());
   finer.see({ from: 0, to: 8 }, 1000);
   await passed(LONG_MS);
-  assert.equal(kernel.asked.length, 2);
+  kernel.refusals[0]!(new Error("too little memory"));
+  await passed(0);
+  assert.equal(finer.within({ from: 0, to: 8 }), "refused");
+  finer.see({ from: 10, to: 18 }, 1000);
+  await passed(BUSY_MS);
+  assert.equal(kernel.asked.length, 1);
+  finer.see({ from: 3_000_000, to: 3_000_008 }, 1000);
+  await passed(LONG_MS);
+  assert.equal(kernel.asked.length, 2, "another part may be planned");
 });

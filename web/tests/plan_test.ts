@@ -178,7 +178,7 @@ test("what of a long run is not known to the tick is told", () => {
   Object.assign(plan.motion!, { ticksPerColumn: 4 });
   assert.equal(finenessText(plan), "The finest level here is 4 ticks (0.00400 s) a column; minimum and maximum are kept.");
   assert.equal(finenessText(plan, "nearer"), "A column is 4 ticks (0.00400 s) here, with their minimum and maximum: zoom in to see each tick.");
-  assert.equal(finenessText(plan, "seen"), "");
+  assert.equal(finenessText(plan, "seen"), "Each tick is shown here.");
   Object.assign(plan.header, { shortest_run_ticks: 2 });
   assert.match(finenessText(plan), /are kept\. Runs of fewer than 2 ticks may be joined with those before them: times of lines, tools and operations are rough\.$/);
 });

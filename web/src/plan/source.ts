@@ -9,7 +9,7 @@ export interface Part {
   readonly last: number;
 }
 
-// A plan whose columns are these ticks; null: there is none now.
+// A plan whose columns are these ticks; null: there is none now. Throws where there will be none.
 export type PartOf = (plan: Plan, part: Part) => Promise<Plan | null>;
 
 // Plans that stand side by side.

@@ -59,8 +59,8 @@ export function drawnLimits(plan: Plan, span: Span, pixels: number): Int16Array 
   return found;
 }
 
-// Where the ticks within a column are: nowhere any more, nearer, on their way, or seen.
-export type Ticks = "gone" | "nearer" | "coming" | "seen";
+// Where the ticks within a column are: nowhere any more, nearer, on their way, seen, or refused by the kernel.
+export type Ticks = "gone" | "nearer" | "coming" | "seen" | "refused";
 
 // What of a run is not known to the tick; empty: all is.
 export function finenessText(plan: Plan, within: Ticks = "gone"): string {
@@ -71,10 +71,11 @@ export function finenessText(plan: Plan, within: Ticks = "gone"): string {
     gone: `The finest level here is ${column} a column; minimum and maximum are kept.`,
     nearer: `A column is ${column} here, with their minimum and maximum: zoom in to see each tick.`,
     coming: "The ticks of this part are being planned\u2026",
-    seen: "",
+    seen: "Each tick is shown here.",
+    refused: `The ticks of this part cannot be planned; a column is ${column} here.`,
   };
   return [
-    ...(ticks > 1 && within !== "seen" ? [texts[within]] : []),
+    ...(ticks > 1 ? [texts[within]] : []),
     ...(shortest > 1 ? [`Runs of fewer than ${shortest} ticks may be joined with those before them: times of lines, tools and operations are rough.`] : []),
   ].join(" ");
 }

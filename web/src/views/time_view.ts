@@ -53,15 +53,13 @@ export class TimeView {
     const last = Math.max(1, plan.motion?.lastTick ?? 1);
     if (this.plan && (this.store.state.span?.[0] ?? 0) >= last) this.store.set({ span: null }, "time"); // it ends before
     const [from, to] = this.store.state.span ?? [0, last];
-    this.span = from < last ? { from, to: Math.min(to, last) } : { from: 0, to: last };
+    this.span = { from: Math.min(from, last), to: Math.min(to, last) };
     this.showNote(plan);
     this.build();
   }
 
   private showNote(plan: Plan): void {
-    const { canAsk, isAsking } = this.finer;
-    const isSeen = this.plan !== null && this.finer.in(this.span) !== this.plan;
-    this.note.textContent = finenessText(plan, !canAsk ? "gone" : isSeen ? "seen" : isAsking ? "coming" : "nearer");
+    this.note.textContent = finenessText(plan, this.finer.within(this.span));
   }
 
   setGround(ground: Ground): void {
