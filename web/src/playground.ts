@@ -51,9 +51,14 @@ class Playground implements PlanSource {
   private readonly refusal = new Refusal();
   private readonly machine: MachineEditor;
   private changeProgram: (change: (state: EditorState) => TransactionSpec) => void = () => undefined;
-  private readonly fail = (why: string): void => this.refusal.showUnread(why);
-  private readonly programs: FileTaker = { take: (files) => this.opened(() => this.changeProgram(opening(programFirst(files)))), fail: this.fail };
-  private readonly machines: FileTaker = { take: ([first]) => this.opened(() => this.machine.open(first)), fail: this.fail };
+  private readonly programs: FileTaker = {
+    take: (files) => this.opened(() => this.changeProgram(opening(programFirst(files)))),
+    fail: (why) => this.refusal.showUnread("files", why),
+  };
+  private readonly machines: FileTaker = {
+    take: ([first]) => this.opened(() => this.machine.open(first)),
+    fail: (why) => this.refusal.showUnread("machine", why),
+  };
 
   private readonly keep = h("button", { type: "button", "aria-pressed": "false", click: () => this.toggleKept() }, "compare with this run");
 
@@ -111,7 +116,7 @@ class Playground implements PlanSource {
   // What is seen is marked as old a moment later: most plans are there by then.
   private changeOrder(change: Partial<Order>): void {
     this.order = { ...this.order, ...change };
-    this.refusal.dropUnread();
+    for (const kind of Object.keys(change)) this.refusal.dropUnread(kind);
     this.setPlanning(true);
     this.aging ??= setTimeout(() => this.root.classList.add("older"), OLD_MS);
   }

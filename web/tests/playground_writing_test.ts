@@ -284,6 +284,20 @@ test("a file that cannot be read is told until another is chosen, whatever is pl
   assert.equal(await page.locator(".refusal:visible").count(), 0);
 });
 
+test("a machine file that cannot be read is told beside a program that can", async () => {
+  await page.evaluate(() => {
+    const { text } = Blob.prototype;
+    Blob.prototype.text = function (this: File) {
+      return this.name === "gone.toml" ? Promise.reject(new Error("it is gone")) : text.call(this);
+    };
+  });
+  await page.locator('input[aria-label^="Open a machine"]').setInputFiles(program("", "gone.toml"));
+  await open("Open a program", program("G1 F600 X10\nM2\n", "beside.ngc"));
+  assert.equal(await page.locator(".refusal:visible").textContent(), "gone.toml cannot be read: it is gone");
+  await after_(() => choose("Example machine", "table.toml"));
+  assert.equal(await page.locator(".refusal:visible").count(), 0);
+});
+
 test("a kernel that fails after the path is shown leaves no time on its way", async () => {
   const other = await newPage();
   await other.addInitScript(() => {

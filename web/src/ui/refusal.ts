@@ -3,17 +3,17 @@ import { h } from "./dom.ts";
 
 export class Refusal {
   readonly element = h("div", { class: "refusal", role: "alert", hidden: true });
-  private unread: readonly string[] = [];
+  private readonly unread = new Map<string, string>();
   private refused: readonly string[] = [];
 
-  // A file that was chosen cannot be read. Stays until something else is chosen or written.
-  showUnread(why: string): void {
-    this.unread = [why];
+  // A file of this kind that was chosen cannot be read. Stays until another of that kind is chosen, or written in its place.
+  showUnread(kind: string, why: string): void {
+    this.unread.set(kind, why);
     this.show();
   }
 
-  dropUnread(): void {
-    this.unread = [];
+  dropUnread(kind: string): void {
+    this.unread.delete(kind);
     this.show();
   }
 
@@ -24,7 +24,7 @@ export class Refusal {
   }
 
   get text(): string {
-    return [...this.unread, ...this.refused].join("\n");
+    return [...this.unread.values(), ...this.refused].join("\n");
   }
 
   private show(): void {
