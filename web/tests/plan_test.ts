@@ -6,6 +6,7 @@ import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
 import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { operationsOf, splitOf, toolsOf } from "../src/plan/split.ts";
+import { cutAtTravel } from "../src/plan/cut_path.ts";
 import { drawnColumns, drawnLimits, finenessText } from "../src/views/columns.ts";
 import { pointingOf, tickNear, type Pointing } from "../src/views/pick.ts";
 import { numbersOf, planOf } from "./helper.ts";
@@ -170,6 +171,20 @@ test("columns that begin later stand where their ticks are", () => {
   assert.deepEqual([...drawnLimits(plan, { from: 5040, to: 5060 }, 4)], [1, 1, 2, 2]);
   assert.deepEqual([...drawnLimits(plan, { from: 4998, to: 5002 }, 4)], [-1, -1, 1, 1], "nothing before them");
   assert.equal(plan.valueAt("path.v", 5042).max, 42);
+});
+
+test("a path that leaves the travel has points where it does", () => {
+  const axes = [[-500, 500], [null, 10], [0, 0]].map((travel, k) => ({ name: "xyz"[k]!, unit: "mm" as const, limits: { v: null, a: null, j: null }, travel: travel as [number | null, number | null] }));
+  const of = (...values: number[]): Float64Array => Float64Array.from(values);
+  const straight = { tick: of(0, 5000), xyz: [of(0, -5000), of(0, 0), of(0, 0)], rapid: Uint8Array.of(0, 1) } as const;
+  const cut = cutAtTravel(straight, axes);
+  assert.deepEqual([...cut.tick], [0, 500, 5000]);
+  assert.deepEqual(cut.xyz.map((values) => [...values]), [[0, -500, -5000], [0, 0, 0], [0, 0, 0]]);
+  assert.deepEqual([...cut.rapid], [0, 1, 1]);
+  const across = { tick: of(0, 4000), xyz: [of(-1000, 1000), of(0, 20), of(0, 0)], rapid: Uint8Array.of(0, 0) } as const;
+  assert.deepEqual([...cutAtTravel(across, axes).xyz[0]], [-1000, -500, 0, 500, 1000], "both ends of X, and Y where X is 0");
+  const within = { tick: of(0, 10, 20), xyz: [of(0, 500, 400), of(10, 0, 10), of(0, 0, 0)], rapid: Uint8Array.of(0, 0, 0) } as const;
+  assert.equal(cutAtTravel(within, axes), within, "up to the ends of it");
 });
 
 test("what of a long run is not known to the tick is told", () => {

@@ -1,5 +1,6 @@
 // A program and its run, ready to be looked at: what every view reads.
 import type { Decoded, Header } from "./decode.ts";
+import { cutAtTravel } from "./cut_path.ts";
 import { Pyramid, type MinMax } from "./pyramid.ts";
 
 export enum RunKind {
@@ -98,8 +99,9 @@ export class Plan {
   constructor(decoded: Decoded, source?: string) {
     this.decoded = decoded;
     this.header = decoded.header;
-    this.path = pathOf(decoded);
-    this.motion = motionOf(decoded, this.path);
+    const path = pathOf(decoded);
+    this.motion = motionOf(decoded, path);
+    this.path = path && !this.motion ? cutAtTravel(path, this.header.machine.axes) : path;
     const text = decoded.bytes.get("source");
     // What is not UTF-8 becomes U+FFFD.
     const read = source ?? (text ? new TextDecoder().decode(text) : null);

@@ -159,12 +159,14 @@ function byLength(plan: Plan, dark: boolean, name: string, title: string): Colou
 // Of a path that does not run: what of it is outside the travel.
 function byTravel(plan: Plan, path: Path, ground: Rgb): Colouring {
   const { axes } = plan.header.machine;
+  // Of the way to point i; the path is cut where it leaves the travel.
   const isOut = (i: number): boolean =>
     path.xyz.some((axis, k) => {
       const [low, high] = axes[k]!.travel;
-      return (low !== null && axis[i]! < low) || (high !== null && axis[i]! > high);
+      const middle = 0.5 * (axis[i]! + axis[Math.max(0, i - 1)]!);
+      return (low !== null && middle < low) || (high !== null && middle > high);
     });
-  const ways = Uint8Array.from(path.tick, (_, i) => Number(isOut(i) || (i > 0 && isOut(i - 1))));
+  const ways = Uint8Array.from(path.tick, (_, i) => Number(isOut(i)));
   const ticks = new Map<number, number>();
   ways.forEach((way, i) => i > 0 && ticks.set(way, (ticks.get(way) ?? 0) + path.tick[i]! - path.tick[i - 1]!));
   return byPart((_from, to) => ways[to]!, ticks, {
