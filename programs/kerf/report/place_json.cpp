@@ -54,6 +54,9 @@ nlohmann::ordered_json fit_json(const FitReport& fit) {
         {"over_mm", axis.over_mm},
         {"fixed_over_mm", axis.fixed_over_mm}};
   }
+  if (fit.extra_excess) {
+    json["other_axes"] = *fit.extra_excess;
+  }
   for (const OffsetFit& offset : fit.offsets) {
     Json ranges = Json::object();
     for (std::size_t k = 0; k < kAxes.size(); ++k) {

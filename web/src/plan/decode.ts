@@ -85,6 +85,7 @@ export interface Report {
   }[];
   readonly fit?: {
     readonly axes: Readonly<Record<string, { over_mm: number; fixed_over_mm?: number }>>; // fixed: of what follows no work offset
+    readonly other_axes?: string; // what of A to W leaves its travel, in words
     readonly work_offsets: readonly { readonly name: string; readonly axes: Readonly<Record<string, OffsetRange>> }[];
   };
   readonly warnings: readonly string[];

@@ -42,12 +42,13 @@ function offsetPart(plan: Plan, units: Units, openAll: () => void): HTMLElement 
 
 export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElement {
   const fits = fitsOf(plan);
-  const over = fits.filter((fit) => fit.over > 0);
+  const other = plan.header.report.fit?.other_axes;
+  const isOver = other !== undefined || fits.some((fit) => fit.over > 0);
   const known = fits.some((fit) => fit.travel[0] !== null || fit.travel[1] !== null);
   // Of a program that is refused another axis may be what leaves its travel.
   const fitsAll = plan.motion !== null || plan.header.report.exit_status === 0;
-  const good = over.length === 0 && known && fitsAll;
-  const verdict = fits.length === 0 ? "does not move" : over.length > 0 ? "does not fit" : !known ? "no travel known" : fitsAll ? "fits the travel" : "X, Y and Z fit";
+  const good = !isOver && known && fitsAll;
+  const verdict = fits.length === 0 ? "does not move" : isOver ? "does not fit" : !known ? "no travel known" : fitsAll ? "fits the travel" : "X, Y and Z fit";
   const rows = fits.map((fit) =>
     h("div", { class: fit.over > 0 ? "bad" : "" }, `${fit.axis.toUpperCase()} ${fitText(fit, units)}${fit.over > 0 ? `, over by ${lengthText(fit.over, units)}` : ""}`),
   );
@@ -55,8 +56,8 @@ export function fitCard(plan: Plan, units: Units, openAll: () => void): HTMLElem
     "div",
     {},
     h("h2", {}, `Travel, ${lengthUnit(units)}`),
-    h("div", { class: `big ${over.length > 0 ? "bad" : good ? "good" : ""}`, "data-test": "fit-verdict" }, verdict),
-    h("div", { class: "soft rows", "data-test": "extents" }, ...rows),
+    h("div", { class: `big ${isOver ? "bad" : good ? "good" : ""}`, "data-test": "fit-verdict" }, verdict),
+    h("div", { class: "soft rows", "data-test": "extents" }, ...rows, ...(other === undefined ? [] : [h("div", { class: "bad" }, other)])),
   );
   return h("div", { class: "card fit", "data-test": "fit" }, path, offsetPart(plan, units, openAll));
 }
