@@ -101,15 +101,18 @@ test("of more ticks than a report has columns each column has the smallest and l
   }
 });
 
-test("the path of a program that leaves the travel is there, with its corners", () => {
+test("the path of a program that leaves the travel is there, with its corners and where it leaves", () => {
   const plan = planIn(makeReport([programFile("G21 G90 G61 F6000\nG0 X-100\nG1 X520 Y30\nG1 X400 Y-20\nM30\n")]));
   assert.equal(plan.motion, null);
   const { xyz, tick, rapid } = plan.path!;
   const corners = [...tick].map((_, i) => [xyz[0][i], xyz[1][i], xyz[2][i]]);
-  assert.deepEqual(corners, [[0, 0, 0], [-100, 0, 0], [520, 30, 0], [400, -20, 0]]);
-  assert.deepEqual([...rapid].slice(1), [1, 0, 0]);
+  // X ends at 500: 600 of 620 mm on the way out, 20 of 120 mm on the way back.
+  const wanted = [[0, 0, 0], [-100, 0, 0], [500, (30 * 600) / 620, 0], [520, 30, 0], [500, 30 - (50 * 20) / 120, 0], [400, -20, 0]];
+  assert.equal(corners.length, wanted.length);
+  wanted.forEach((corner, i) => corner.forEach((mm, k) => assert.ok(Math.abs(corners[i]![k]! - mm) < 1e-9, `corner ${i}`)));
+  assert.deepEqual([...rapid].slice(1), [1, 0, 0, 0, 0]);
   const length_mm = 100 + Math.hypot(620, 30) + Math.hypot(120, 50);
-  assert.ok(Math.abs(tick[3]! * 1e-6 - length_mm) < 1e-5);
+  assert.ok(Math.abs(tick[5]! * 1e-6 - length_mm) < 1e-5);
 });
 
 test("the text of a long program is the one that was read, to the byte", () => {

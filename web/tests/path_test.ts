@@ -137,9 +137,10 @@ test("each colour has its legend, and a part of one that is clicked dims the oth
 test("the path of a program that leaves the travel is drawn, in red what leads out of it", async () => {
   const { page, said } = await openReport([programFile("G21 G90 G61 F3000\nG1 X100\nG3 X100 Y60 I0 J30\nG1 X620 Y20\nG1 X0\nM2\n")]);
   assert.ok(Number(await page.locator(".path-view canvas").first().getAttribute("data-vertices")) > 200, "the arc, too, has its points");
-  // Of 100 mm, half a circle of 30 mm, and the ways to X 620 and back.
-  const out = Math.hypot(520, 40) + Math.hypot(620, 0);
-  const share = Math.round((100 * out) / (100 + 30 * Math.PI + out));
+  // Of 100 mm, half a circle of 30 mm, and the ways to X 620 and back: what is beyond 500.
+  const [there, back] = [Math.hypot(520, 40), 620];
+  const out = (there * 120) / 520 + 120;
+  const share = Math.round((100 * out) / (100 + 30 * Math.PI + there + back));
   assert.match((await page.locator(".legend.parts button", { hasText: "out of the travel" }).textContent())!, new RegExp(`${share}\\s%`));
   assert.equal(await page.locator(".time-panel").isVisible(), false);
   assert.deepEqual(said, []);

@@ -88,14 +88,14 @@ test("colours of parts stand out from their ground by 3 to 1", () => {
 });
 
 test("another program in place of the one that is shown is seen from its own begin, the same one as it was", () => {
-  const seen = { tick: 77, shown: [3], camera: "1,2,3,0,0,0,9.5" };
+  const seen = { tick: 77, shown: [3], span: [10, 90] as const, camera: "1,2,3,0,0,0,9.5" };
   const after = (isSameProgram: boolean): unknown => {
-    const store = new Store({ ...initialState(), ...seen, hover: 5, span: [10, 90], playing: true });
+    const store = new Store({ ...initialState(), ...seen, hover: 5, playing: true });
     store.replacePlans(isSameProgram, "page");
     const { tick, shown, camera, hover, span, playing } = store.state;
-    assert.deepEqual({ hover, span, playing }, { hover: null, span: null, playing: false });
-    return { tick, shown, camera };
+    assert.deepEqual({ hover, playing }, { hover: null, playing: false });
+    return { tick, shown, span, camera };
   };
   assert.deepEqual(after(true), seen);
-  assert.deepEqual(after(false), { tick: 0, shown: null, camera: "" });
+  assert.deepEqual(after(false), { tick: 0, shown: null, span: null, camera: "" });
 });
