@@ -18,6 +18,7 @@ constexpr std::array kProfilesOnCurves{profiles::ProfileKind::s_curve, profiles:
 // Where the S-curve takes so many times as long as the search's plan, the others are hardly faster
 // than that plan, and asking them is dear.
 constexpr double kFarBehind = 1.08;
+constexpr double kSharp_per_mm = 1e3;  // curvature
 // What is less of a lead may be lost again after the blocks that are looked at.
 constexpr double kLead = 1.0 - 1e-3;
 
@@ -46,11 +47,12 @@ bool have_constant_limits(const FirstBlocks& run, std::size_t first, const PlanL
   return true;
 }
 
-// A rest within a block, or a jump of direction or curvature.
+// A rest within a block, a jump of direction or curvature, or a turn within a micrometre.
 bool has_singular_place(const PlannedCells& planned) {
   for (std::size_t i = 0; i < planned.count; ++i) {
     const Cell& cell = (*planned.cells)[i];
-    if ((cell.rest_after && !cell.ends_block) || cell.allowed.jerk < 1.0) {
+    if ((cell.rest_after && !cell.ends_block) || cell.allowed.jerk < 1.0 ||
+        curves::vec(cell.end.second_per_mm).norm() > kSharp_per_mm) {
       return true;
     }
   }
