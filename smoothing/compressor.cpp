@@ -11,15 +11,33 @@ namespace {
 constexpr std::size_t kAhead = 24;           // of them, after which corners are known
 constexpr std::size_t kLongestLine = 65536;  // in lines of the program
 constexpr double kShortestLine = 0.25;       // of the tolerance
+// Lines of G61, at their feedrate: longer ones stay as they are, and what they become is no longer
+// than that. It is one block, so single block rests no later where it is switched on in motion.
+constexpr double kShortExact_s = 0.01;
+constexpr double kLongestExact_s = 0.1;
+constexpr double kShortestExact_mm = 1e-6;  // a shorter line stays as it is
+
+using curves::vec;
+
+const Eigen::AlignedBox3d kAnyDirection(Eigen::Vector3d::Constant(-2.0),
+                                        Eigen::Vector3d::Constant(2.0));
+
+bool is_exact(const parser::Move& move) {
+  return move.mode == parser::PathMode::exact_path;
+}
+
+double distance_mm(const curves::Position& a, const curves::Position& b) {
+  return (vec(b) - vec(a)).norm();
+}
 
 double distance_mm(const Vertex& a, const Vertex& b) {
-  return (curves::vec(b.point_mm) - curves::vec(a.point_mm)).norm();
+  return distance_mm(a.point_mm, b.point_mm);
 }
 
 double aside_mm(const curves::Position& point, const curves::Position& begin,
                 const curves::Position& end) {
-  const Eigen::Vector3d way = curves::vec(end) - curves::vec(begin);
-  const Eigen::Vector3d seen = curves::vec(point) - curves::vec(begin);
+  const Eigen::Vector3d way = vec(end) - vec(begin);
+  const Eigen::Vector3d seen = vec(point) - vec(begin);
   const double share = std::clamp(seen.dot(way) / way.squaredNorm(), 0.0, 1.0);
   return (seen - share * way).norm();
 }
@@ -28,17 +46,54 @@ double aside_mm(const curves::Position& point, const curves::Position& begin,
 
 bool Compressor::takes(const parser::Move& move) {
   const auto* line = std::get_if<parser::LineMove>(&move.shape);
-  return line != nullptr && curves::is_usable(line->end_mm) && !move.rapid &&
-         move.mode == parser::PathMode::blend && move.merge_tolerance_mm > 0.0 &&
-         !move.auxiliary.moves();
+  if (line == nullptr || move.rapid || move.auxiliary.moves() || !curves::is_usable(line->end_mm)) {
+    return false;
+  }
+  if (is_exact(move)) {
+    const double length_mm = distance_mm(move.start_mm, line->end_mm);
+    return length_mm > kShortestExact_mm && length_mm <= kShortExact_s * move.feedrate_mm_s;
+  }
+  return move.mode == parser::PathMode::blend && move.merge_tolerance_mm > 0.0;
 }
 
 bool Compressor::continues(const parser::Move& move) const {
+  if (run_.empty()) {
+    return true;
+  }
   const parser::Move& like = curves_.like();
-  return run_.empty() || (move.merge_tolerance_mm == like.merge_tolerance_mm &&
-                          move.blend_tolerance_mm == like.blend_tolerance_mm &&
-                          move.auxiliary.begin_rad_mm == like.auxiliary.begin_rad_mm &&
-                          move.start_mm == last().point_mm);
+  if (move.mode != like.mode || move.auxiliary.begin_rad_mm != like.auxiliary.begin_rad_mm ||
+      move.start_mm != last().point_mm) {
+    return false;
+  }
+  return is_exact(move) ? goes_straight_on(move)
+                        : move.merge_tolerance_mm == like.merge_tolerance_mm &&
+                              move.blend_tolerance_mm == like.blend_tolerance_mm;
+}
+
+bool Compressor::goes_straight_on(const parser::Move& move) const {
+  const Vertex& at = run_.back();
+  if (run_.size() < 2) {
+    return true;
+  }
+  const curves::Position& end_mm = std::get<parser::LineMove>(move.shape).end_mm;
+  if (run_.size() > kLongestLine || move.feedrate_mm_s != at.feedrate_mm_s ||
+      move.follows != at.follows ||
+      distance_mm(run_[0].point_mm, end_mm) > kLongestExact_s * move.feedrate_mm_s) {
+    return false;
+  }
+  const Eigen::Vector3d end = vec(end_mm);
+  const Eigen::Vector3d before = vec(at.point_mm) - vec(run_[run_.size() - 2].point_mm);
+  return before.dot(end - vec(at.point_mm)) > 0.0 &&
+         straight_on_.contains((end - vec(run_[0].point_mm)).normalized());
+}
+
+// A line in a direction d leaves a vertex in the direction e, r away, by no more than r |d - e|.
+void Compressor::narrow_straight_on() {
+  const Eigen::Vector3d seen = vec(run_.back().point_mm) - vec(run_[0].point_mm);
+  const double r_mm = seen.norm();
+  const Eigen::Vector3d bound = Eigen::Vector3d::Constant(0.5 * kExact_mm / r_mm);
+  straight_on_ =
+      straight_on_.intersection(Eigen::AlignedBox3d(seen / r_mm - bound, seen / r_mm + bound));
 }
 
 void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, const About& about) {
@@ -46,6 +101,7 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, c
   const curves::Position& end = std::get<parser::LineMove>(move.shape).end_mm;
   if (run_.empty()) {
     curves_.begin(move, about.beside_mm);
+    straight_on_ = kAnyDirection;
     run_.push_back({.point_mm = move.start_mm, .source = move.source});
     scanned_ = 0;
   }
@@ -63,12 +119,15 @@ void Compressor::push(const parser::Move& move, std::vector<PathSegment>& out, c
   short_.reset();
   // A spline that goes on has begun with the tolerance that there was.
   if (!tail_ && !about.has_changes &&
-      distance_mm(run_.back(), vertex) <= kShortestLine * move.merge_tolerance_mm) {
+      distance_mm(run_.back(), vertex) <= kShortestLine * curves_.like().merge_tolerance_mm) {
     short_ = vertex;
     left_out_.push_back(end);
     return;
   }
   append(vertex);
+  if (is_exact(move)) {
+    narrow_straight_on();
+  }
   if (run_.size() > awaited_) {
     reduce(false, out);
   }
@@ -118,7 +177,7 @@ void Compressor::reduce(bool ended, std::vector<PathSegment>& out) {
   while (run_.size() > (ended ? 1 : awaited_)) {
     const std::size_t last = run_.size() - 1;
     const std::size_t known = ended ? last : last - kAhead;
-    const auto corner = find_corner(known);
+    const auto corner = is_exact(curves_.like()) ? std::nullopt : find_corner(known);
     if (corner || ended) {
       close_at(corner.value_or(last), out);
     } else if (!tail_ && is_straight_to(known) && known < kLongestLine) {

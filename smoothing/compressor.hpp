@@ -13,6 +13,9 @@
 // it begins, or the run's last line ends where it ends. Between two long lines it would keep their
 // corner from being blended.
 //
+// In G61 only short lines that go on in the same direction, at the same feedrate, become one:
+// within a nanometre, which is rounding.
+//
 // The window counts lines and knows nothing of how the text was read: the same program always gives
 // the same path.
 //
@@ -23,6 +26,8 @@
 #include <cstddef>
 #include <optional>
 #include <vector>
+
+#include <Eigen/Geometry>
 
 #include "curves/curve.hpp"
 #include "parser/moves/move.hpp"
@@ -45,7 +50,8 @@ class Compressor {
   // travel: no curve leaves it.
   explicit Compressor(const std::optional<curves::Extents>& travel) : curves_({.travel = travel}) {}
 
-  // A straight feed in G64 with a merging tolerance, of X, Y and Z alone, to a usable place.
+  // A straight feed of X, Y and Z alone, to a usable place, in G64 with a merging tolerance, or a
+  // short one in G61.
   [[nodiscard]] static bool takes(const parser::Move& move);
   // It can be part of the run that is held. If not, flush first.
   [[nodiscard]] bool continues(const parser::Move& move) const;
@@ -61,6 +67,9 @@ class Compressor {
  private:
   static constexpr std::size_t kWindow = 400;  // lines
 
+  // In G61 the run is a line, and the move goes on in its direction.
+  [[nodiscard]] bool goes_straight_on(const parser::Move& move) const;
+  void narrow_straight_on();
   // Where the last move ended. Precondition: the run is not empty.
   [[nodiscard]] const Vertex& last() const { return short_ ? *short_ : run_.back(); }
   // Unless it has no length.
@@ -90,6 +99,8 @@ class Compressor {
   std::size_t awaited_ = kWindow;    // vertices before the next look
   std::vector<std::size_t> breaks_;  // of the last window, after what has left
   std::optional<SplineTail> tail_;   // the run's front has left as a spline
+  // In G61: of lines from the run's begin on, close enough to all its vertices.
+  Eigen::AlignedBox3d straight_on_;
 };
 
 }  // namespace kerf::smoothing

@@ -17,6 +17,10 @@ constexpr std::size_t kSpansOfSegment = 24;
 
 void RunCurves::begin(const parser::Move& like, double beside_mm) {
   like_ = like;
+  if (like_.mode == parser::PathMode::exact_path) {
+    like_.blend_tolerance_mm = 0.0;
+    like_.merge_tolerance_mm = kExact_mm;
+  }
   beside_mm_ = beside_mm;
   end_direction_.reset();
   set_beside(beside_mm);
@@ -145,6 +149,9 @@ void RunCurves::append_merged(const Polyline& run, MergedCurve merged,
 }
 
 void RunCurves::widen(const Place& place, double distance_mm) {
+  if (like_.mode == parser::PathMode::exact_path) {
+    return;
+  }
   deviations_.add({.distance_mm = distance_mm + settings_.beside_mm,
                    .at_mm = place.at_mm,
                    .line = place.vertex.source.program_line(),

@@ -16,6 +16,9 @@
 
 namespace kerf::smoothing {
 
+// How far lines that become one in G61 may leave it: rounding.
+inline constexpr double kExact_mm = 1e-9;
+
 class RunCurves {
  public:
   explicit RunCurves(const RunFitSettings& settings) : settings_(settings) {}

@@ -52,7 +52,7 @@ PathSegment segment_of(curves::Curve curve, const Polyline& run, const MergedCur
   segment.follows = run[feedrate_of].follows;
   segment.extra = {.begin_rad_mm = like.auxiliary.begin_rad_mm,
                    .end_rad_mm = like.auxiliary.end_rad_mm};
-  segment.mode = parser::PathMode::blend;
+  segment.mode = like.mode;
   segment.corner_tolerance_mm = like.blend_tolerance_mm;
   segment.deviation_mm = merged.deviation_mm;
   if (const auto* arc = std::get_if<curves::Arc>(&merged.curve)) {

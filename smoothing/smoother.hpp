@@ -18,8 +18,8 @@
 namespace kerf::smoothing {
 
 // Moves go in. Path segments come out in the same order, and with them the moves that are a dwell
-// or an event. In G61 and G61.1 each move is a segment. In G64 runs of short lines are merged
-// within Q and corners are blended within P.
+// or an event. In G61.1 each move is a segment, in G61 but for short lines that go on straight. In
+// G64 runs of short lines are merged within Q and corners are blended within P.
 class Smoother {
  public:
   using Output = std::variant<parser::Move, PathSegment>;

@@ -59,5 +59,16 @@ TEST(CornerTimes, AreNoLongerWithALargerTolerance) {
   }
 }
 
+// Lines of 0.02 mm at 250 mm/s: twelve in a tick, and less way in a look-ahead of 1,000 than to
+// rest.
+TEST(CornerTimes, AreNoneOnExactLinesThatGoOnStraight) {
+  std::string text = "G61 F15000\n";
+  for (int i = 1; i <= 5000; ++i) {
+    text += "G1 X" + std::to_string(0.02 * i) + " Y" + std::to_string(0.012 * i) + "\n";
+  }
+  EXPECT_LE(ticks_by(ProfileKind::time_optimal, text + "M2\n"),
+            ticks_by(ProfileKind::time_optimal, "G61 F15000\nG1 X100 Y60\nM2\n") + 1.0);
+}
+
 }  // namespace
 }  // namespace kerf::test

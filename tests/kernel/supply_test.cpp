@@ -128,6 +128,16 @@ TEST(Kernel, StarvesAtRestWhereTheTextStopsComing) {
   expect_a_rest(kernel, {.at_mm = 22.0, .text = "G1 X40\nM2\n", .end_mm = 40.0});
 }
 
+TEST(Kernel, StarvesAtRestBehindExactLinesThatGoOnStraight) {
+  Kernel kernel(mill());
+  std::string text = "G21 G90 G61 F3000\n";
+  for (int i = 1; i <= 110; ++i) {
+    text += "G1 X" + std::to_string(0.2 * i) + "\n";
+  }
+  kernel.feed(text);
+  expect_a_rest(kernel, {.at_mm = 22.0, .text = "G1 X22.1\nX40\nM2\n", .end_mm = 40.0});
+}
+
 TEST(Kernel, StarvesAtRestBehindADwellAndResumesWithoutAJump) {
   Kernel kernel(mill());
   kernel.feed("G21 G90 G1 X10 F3000\nG4 P0.01\n");
