@@ -47,13 +47,13 @@ diagnostics::Diagnostic refused_curve(const smoothing::PathError& error,
 
 class Checker {
  public:
-  Checker(const MachineSettings& settings, const KernelOptions& options)
+  Checker(const MachineSettings& settings, const KernelOptions& options, const CheckBounds& bounds)
       : waits_(options),
         envelope_(machine::envelope_of(settings.table)),
         extra_envelope_(settings.table.extra),
         least_time_(settings.limits, event_time_settings(settings, options)),
         warnings_(settings.limits),
-        followers_(settings, options) {}
+        followers_(settings, options, bounds.starts_at_first_places) {}
 
   void feed(std::string_view text) { followers_.feed(text); }
   void finish_text() { followers_.finish(); }
@@ -133,7 +133,8 @@ class Checker {
 // The text alone.
 class SyntaxChecker {
  public:
-  SyntaxChecker(const MachineSettings& settings, const KernelOptions& options)
+  SyntaxChecker(const MachineSettings& settings, const KernelOptions& options,
+                const CheckBounds& /*bounds*/)
       : least_time_(settings.limits, event_time_settings(settings, options)) {}
 
   void feed(std::string_view /*text*/) {}
@@ -216,7 +217,7 @@ CheckReport read_through(const TextSource& text, const MachineSettings& settings
     return report;
   }
   ProgramPath path(settings, options, {.as_programmed = true});
-  Checker checker(settings, options);
+  Checker checker(settings, options, bounds);
   ProgramPath::Output output;
   std::uint64_t moves = 0;
   bool is_unit_known = false;

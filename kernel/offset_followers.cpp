@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "kernel/reader_options.hpp"
 #include "parser/moves/short_moves.hpp"
@@ -36,8 +37,22 @@ void extend(AxisRange& range, const AxisRange& also) {
 
 }  // namespace
 
-OffsetFollowers::OffsetFollowers(const MachineSettings& settings, const KernelOptions& options)
-    : reader_(elsewhere(reader_options(settings, options))), place_mm_(options.start_mm) {}
+OffsetFollowers::OffsetFollowers(const MachineSettings& settings, const KernelOptions& options,
+                                 bool starts_at_first_places)
+    : reader_(elsewhere(reader_options(settings, options))), place_mm_(options.start_mm) {
+  is_at_start_.fill(starts_at_first_places);
+}
+
+// An axis that no move brings anywhere starts where it is on the machine.
+OffsetExtents OffsetFollowers::extents() const {
+  OffsetExtents extents = extents_;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (is_at_start_[k]) {
+      extend(extents.fixed[k], {place_mm_[k], place_mm_[k]});
+    }
+  }
+  return extents;
+}
 
 OffsetFollowers::Ranges* OffsetFollowers::ranges_of(double shift_mm) {
   if (std::abs(shift_mm) < kRounding_mm) {
@@ -85,18 +100,41 @@ bool OffsetFollowers::include(const Way& way) {
   bool all_known = true;
   const parser::Point& shifted_end = *parser::end_mm(shifted_);
   for (std::size_t k = 0; k < 3; ++k) {
-    Ranges* const from = ranges_of(shifted_.start_mm[k] - way.start_mm[k]);
-    Ranges* const to = ranges_of(shifted_end[k] - way.end_mm[k]);
-    if (from == nullptr || to == nullptr) {
-      all_known = extents_.is_known[k] = false;
-    } else if (from != to) {
-      extend((*from)[k], {way.start_mm[k], way.start_mm[k]});
-      extend((*to)[k], {way.end_mm[k], way.end_mm[k]});
-    } else {
-      extend((*to)[k], {way.box.min_mm[k], way.box.max_mm[k]});
+    if (is_at_start_[k] && shifted_end[k] == shifted_.start_mm[k] &&
+        way.end_mm[k] == way.start_mm[k]) {
+      continue;
     }
+    const bool begins = std::exchange(is_at_start_[k], false);
+    Ranges* from = ranges_of(shifted_.start_mm[k] - way.start_mm[k]);
+    Ranges* const to = ranges_of(shifted_end[k] - way.end_mm[k]);
+    // The check starts where this move leads, so it has no way to there.
+    if (begins && way.end_mm[k] == way.start_mm[k]) {
+      from = to;
+    }
+    if (from == nullptr || to == nullptr) {
+      extents_.is_known[k] = false;
+    } else {
+      include(k, *from, *to, way);
+    }
+    all_known = all_known && extents_.is_known[k];
   }
   return all_known;
+}
+
+// Between two places that follow different offsets a line reaches no farther than they. What a
+// curve does there changes with the offsets.
+void OffsetFollowers::include(std::size_t axis, Ranges& from, Ranges& to, const Way& way) {
+  const AxisRange filled{way.box.min_mm[axis], way.box.max_mm[axis]};
+  if (&from == &to) {
+    extend(to[axis], filled);
+    return;
+  }
+  const auto [low_mm, high_mm] = std::minmax(way.start_mm[axis], way.end_mm[axis]);
+  if (filled.min_mm < low_mm - kRounding_mm || filled.max_mm > high_mm + kRounding_mm) {
+    extents_.is_known[axis] = false;
+  }
+  extend(from[axis], {way.start_mm[axis], way.start_mm[axis]});
+  extend(to[axis], {way.end_mm[axis], way.end_mm[axis]});
 }
 
 }  // namespace kerf

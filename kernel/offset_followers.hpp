@@ -19,7 +19,9 @@ namespace kerf {
 // know nothing of G53, G28, G92 and G10, axis by axis.
 class OffsetFollowers {
  public:
-  OffsetFollowers(const MachineSettings& settings, const KernelOptions& options);
+  // starts_at_first_places: CheckBounds.
+  OffsetFollowers(const MachineSettings& settings, const KernelOptions& options,
+                  bool starts_at_first_places);
 
   // What the check's reader is given.
   void feed(std::string_view text) {
@@ -35,7 +37,7 @@ class OffsetFollowers {
   // No more moves come: no text is kept for them.
   void end() noexcept { is_over_ = true; }
 
-  [[nodiscard]] const OffsetExtents& extents() const noexcept { return extents_; }
+  [[nodiscard]] OffsetExtents extents() const;
 
  private:
   using Ranges = std::array<AxisRange, 3>;
@@ -53,11 +55,14 @@ class OffsetFollowers {
   };
   // False: of an axis it is not known what it follows.
   bool include(const Way& way);
+  void include(std::size_t axis, Ranges& from, Ranges& to, const Way& way);
 
   parser::ProgramReader reader_;
   parser::Move shifted_;
   parser::Point place_mm_;  // of the tool in the check
   bool is_over_ = false;    // or the program runs another way there
+  // No move has brought the axis from a start that is where the first moves lead.
+  std::array<bool, 3> is_at_start_;
   OffsetExtents extents_;
 };
 

@@ -72,7 +72,8 @@ using TextSource = std::function<std::string_view()>;
 /// Asked before each step; true ends the check early. The report then covers what was read so far.
 using StopRequest = std::function<bool()>;
 
-/// Where a check ends although the program goes on: it may loop for ever.
+/// Where a check ends although the program goes on, for it may loop for ever; and what the start
+/// is.
 struct CheckBounds {
   StopRequest stop{};
   /// In s. The check ends with an error when the length of the moves alone, at the highest
@@ -80,6 +81,9 @@ struct CheckBounds {
   double max_time_s = kUnbounded;
   /// How many moves, those of a loop as often as they run. More are an error.
   std::uint64_t max_moves = UINT64_MAX;
+  /// The start is where the first moves lead, and elsewhere where these lead elsewhere: so
+  /// CheckReport::offset_extents count no way to it.
+  bool starts_at_first_places = false;
 };
 
 /// Reads the program to its end and plans nothing. Impossible settings are an error in the report,

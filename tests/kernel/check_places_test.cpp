@@ -10,7 +10,7 @@ namespace kerf::test {
 namespace {
 
 CheckReport check(const std::string& text, const MachineSettings& settings = {},
-                  const KernelOptions& options = {}) {
+                  const KernelOptions& options = {}, const CheckBounds& bounds = {}) {
   bool given = false;
   return check_program(
       [&]() -> std::string_view {
@@ -18,7 +18,7 @@ CheckReport check(const std::string& text, const MachineSettings& settings = {},
         given = true;
         return first ? std::string_view(text) : std::string_view{};
       },
-      settings, options);
+      settings, options, bounds);
 }
 
 MachineSettings with_offsets(const Position& g54_mm, const Position& g55_mm = {}) {
@@ -126,6 +126,37 @@ TEST(OffsetExtents, AreKnownWhereTheWayToTheFirstPlaceHasNoLength) {
   expect_range(offsets.following[0][1], -3, 0);
   expect_range(offsets.following[0][2], 0, 5);
   EXPECT_EQ(offsets.is_known, (std::array{true, true, true}));
+}
+
+// G54 at 10, 20, 0 and the tool where the first moves lead, but for Y, which a cut moves first.
+TEST(OffsetExtents, HaveNoWayToWhereTheFirstMovesLead) {
+  const OffsetExtents extents =
+      check("G21 G90\nG0 X5\nZ3\nG1 Y7 F100\nX8\nM2\n", with_offsets({10.0, 20.0, 0.0}),
+            {.start_mm = {15.0, 0.0, 3.0}}, {.starts_at_first_places = true})
+          .offset_extents;
+  expect_range(extents.following[0][0], 15.0, 18.0);
+  EXPECT_TRUE(extents.fixed[0].is_empty());
+  expect_range(extents.following[0][1], 27.0, 27.0);
+  expect_range(extents.fixed[1], 0.0, 0.0);
+  expect_range(extents.following[0][2], 3.0, 3.0);
+  EXPECT_TRUE(extents.fixed[2].is_empty());
+}
+
+TEST(OffsetExtents, HaveTheStartOfAnAxisThatNothingMoves) {
+  const OffsetExtents extents =
+      check("G21 G90\nG0 X5\nG1 X8 F100\nM2\n", with_offsets({}), {.start_mm = {5.0, 0.0, 2.0}},
+            {.starts_at_first_places = true})
+          .offset_extents;
+  expect_range(extents.fixed[2], 2.0, 2.0);
+}
+
+// From machine zero a bow in Y, which is another one from another offset; X grows all along it.
+TEST(OffsetExtents, AreUnknownWhereACurveBulgesBetweenTwoOffsets) {
+  const OffsetExtents extents =
+      check("G21 G90 G28 X0 Y0\nG5 I0 J60 P0 Q60 X50 Y0 F3000\nM2\n").offset_extents;
+  EXPECT_TRUE(extents.is_known[0]);
+  EXPECT_FALSE(extents.is_known[1]);
+  EXPECT_TRUE(extents.is_known[2]);
 }
 
 TEST(OffsetExtents, AreUnknownWhereTheProgramRunsAnotherWay) {

@@ -114,6 +114,13 @@ class Fit(Case):
             self.assertEqual(fit["axes"]["x"], {"travel_mm": [-500, 500], "over_mm": 15, "fixed_over_mm": 0})
             self.assertEqual(fit["work_offsets"][0]["axes"]["x"], {"origin_mm": 395, "min_mm": -600, "max_mm": 380, "fits_somewhere": True})
 
+    def test_what_starts_at_its_first_moves_does_not_fit_for_their_offset_alone(self):
+        part = self.path("part.ngc", "G21 G90\nG0 X10\nG1 X50 F3000\nM2\n")
+        done = self.kerf("check", part, "--g54", "600,0,0", "--start", "first-move", status=4)
+        self.assertIn("would fit       G54 X between -510.000 and 450.000", done.stdout + done.stderr)
+        for x in ("450", "-510"):
+            self.kerf("check", part, f"--g54={x},0,0", "--start", "first-move")
+
     def test_what_another_axis_leaves_its_travel_by_does_not_fit(self):
         machine = self.path("turning.toml", "[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\n[axes.a]\nmin_deg = -720\nmax_deg = 720\nmax_velocity_deg_s = 100\nmax_acceleration_deg_s2 = 1000\nmax_jerk_deg_s3 = 10000\n")
         for program, text in (("G1 A800 F600", "  other axes      a goes 80 deg beyond its upper limit of 720 deg\n"),

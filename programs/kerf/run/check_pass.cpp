@@ -34,7 +34,8 @@ tl::expected<CheckReport, std::string> check_pass(ProgramFile& file,
   CheckReport report = check(text, settings, kernel_options,
                              {.stop = [] { return stop_requested().has_value(); },
                               .max_time_s = options.max_time_s,
-                              .max_moves = options.max_moves});
+                              .max_moves = options.max_moves,
+                              .starts_at_first_places = options.starts_at_first_places});
   if (error) {
     return tl::unexpected(*error);
   }

@@ -16,6 +16,7 @@ struct CheckPassOptions {
   std::uint64_t max_moves;  // the same
   bool shows_progress;
   bool syntax_only;
+  bool starts_at_first_places;  // as CheckBounds
 };
 
 // check_program() over the file, or check_syntax(). Ends early, and then means nothing, when a stop

@@ -90,11 +90,13 @@ bool check_program(const ProgramCheck& how, ProgramFile& file, FileReport& repor
   if (how.options.from_line || how.options.continues) {
     kernel_options.refuses_waits = false;  // those after the start are looked for once it is known
   }
-  const auto found = check_pass(file, how.settings, kernel_options,
-                                {.max_time_s = how.options.max_time_s,
-                                 .max_moves = how.options.max_moves,
-                                 .shows_progress = how.shows_progress,
-                                 .syntax_only = how.options.syntax_only});
+  const auto found = check_pass(
+      file, how.settings, kernel_options,
+      {.max_time_s = how.options.max_time_s,
+       .max_moves = how.options.max_moves,
+       .shows_progress = how.shows_progress,
+       .syntax_only = how.options.syntax_only,
+       .starts_at_first_places = std::holds_alternative<AtFirstMove>(how.options.start)});
   if (stop_requested()) {
     report.status = *stop_requested();
   } else if (!found) {

@@ -121,7 +121,8 @@ class Choice {
                             {.max_time_s = order_.options.max_time_s,
                              .max_moves = order_.options.max_moves,
                              .shows_progress = false,
-                             .syntax_only = false});
+                             .syntax_only = false,
+                             .starts_at_first_places = false});
     if (!found) {
       report_.fail(ExitStatus::io_error, found.error());
       return true;
