@@ -81,6 +81,19 @@ TEST(Fit, RoundsInwardsAndLeavesOutWhatHasNoBound) {
             Words{"G54 X at most -0.001"});
 }
 
+TEST(Fit, NamesEachFurtherAxisThatLeavesItsTravel) {
+  MachineSettings settings = table();
+  settings.table.extra[0] = {.min_rad_mm = -1.0, .max_rad_mm = 1.0};
+  settings.table.extra[3] = {.min_rad_mm = -10.0, .max_rad_mm = 10.0};
+  CheckReport check = path_along_x(10.0, 50.0);
+  check.extra_extents.min_rad_mm = {-2.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+  check.extra_extents.max_rad_mm = {0.0, 0.0, 0.0, 20.0, 0.0, 0.0};
+  const FitReport fit = *fit_of(check, settings);
+  ASSERT_TRUE(fit.extra_excess.has_value());
+  EXPECT_NE(fit.extra_excess->find("a goes"), std::string::npos);
+  EXPECT_NE(fit.extra_excess->find("u goes 10 mm"), std::string::npos);
+}
+
 TEST(Fit, NamesWorkSystemsAsProgramsDo) {
   EXPECT_EQ(work_system_name(0), "G54");
   EXPECT_EQ(work_system_name(5), "G59");

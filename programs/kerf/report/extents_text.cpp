@@ -108,7 +108,7 @@ std::string misfit_text(const FileReport& report) {
   if (report.fit->extra_excess) {
     fmt::format_to(std::back_inserter(text), "  other axes      {}\n", *report.fit->extra_excess);
   }
-  const auto* label = report.fit->extra_excess ? "x, y, z fit with" : "would fit       ";
+  const auto* label = report.fit->extra_excess ? "x, y, z fit with " : "would fit       ";
   for (const std::string& line : describe(*report.fit)) {
     fmt::format_to(std::back_inserter(text), "  {}{}\n", label, line);
   }

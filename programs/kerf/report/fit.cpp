@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <spdlog/fmt/fmt.h>
+#include <spdlog/fmt/ranges.h>
 
 #include "machine/envelope.hpp"
 #include "programs/kerf/io/number_text.hpp"
@@ -21,6 +22,22 @@ double over_mm(const AxisRange& range, const Travel& travel) {
 OffsetRange range_of(const AxisRange& path, const Travel& travel, double origin_mm) {
   return {.min_mm = origin_mm + travel.min_mm - path.min_mm,
           .max_mm = origin_mm + travel.max_mm - path.max_mm};
+}
+
+// Axis by axis, in words.
+std::optional<std::string> excess_of(const AuxiliaryExtents& filled,
+                                     const machine::AuxiliaryEnvelope& envelope) {
+  std::vector<std::string> words;
+  for (std::size_t k = 0; k < envelope.size(); ++k) {
+    machine::AuxiliaryEnvelope of_axis{};
+    of_axis[k] = envelope[k];
+    for (const auto& place_rad_mm : {filled.min_rad_mm, filled.max_rad_mm}) {
+      if (const auto excess = machine::outside_travel(of_axis, place_rad_mm)) {
+        words.push_back(machine::describe(*excess));
+      }
+    }
+  }
+  return words.empty() ? std::nullopt : std::optional(fmt::format("{}", fmt::join(words, "; ")));
 }
 
 std::string range_text(const OffsetRange& range) {
@@ -67,12 +84,7 @@ std::optional<FitReport> fit_of(const CheckReport& check, const MachineSettings&
                    .over_mm = over_mm({check.extents.min_mm[k], check.extents.max_mm[k]}, travel),
                    .fixed_over_mm = over_mm(offsets.fixed[k], travel)};
   }
-  const auto& extra = check.extra_extents;
-  for (const auto& place_rad_mm : {extra.min_rad_mm, extra.max_rad_mm}) {
-    if (const auto excess = machine::outside_travel(settings.table.extra, place_rad_mm)) {
-      fit.extra_excess = machine::describe(*excess);
-    }
-  }
+  fit.extra_excess = excess_of(check.extra_extents, settings.table.extra);
   for (std::size_t system = 0; system < kWorkSystems; ++system) {
     OffsetFit one{.name = work_system_name(system),
                   .origin_mm = settings.program.work[system].origin_mm};
