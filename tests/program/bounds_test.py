@@ -40,7 +40,16 @@ class MaxTime(Case):
         for command in (("check",), ("explain", "--line", "2"), ("dry-run",)):
             with self.subTest(command=command):
                 done = self.kerf(*command, slow, "--max-time", "20s", status=1)
-                self.assertRegex(done.stderr, r"slow\.ngc: the program takes more than the 20 s that are allowed, in line 2 \[E1003\]")
+                self.assertRegex(done.stderr, r"slow\.ngc:2:1: error: up to here the program takes more than the 20 s that are "
+                                              r"allowed \[E1003\]\n {4}G1 X19\.999 F60\n")
+
+    def test_tells_a_program_that_is_too_long_as_one_with_an_error(self):
+        slow = self.path("slow.ngc", "G21 G90\nG1 X19.999 F60\nM2\n")
+        for command in (("check",), ("dry-run",)):
+            with self.subTest(command=command):
+                report = json.loads(self.kerf(*command, slow, "--max-time", "20s", "--json", status=1).stdout)
+                self.assertEqual([(error["line"], error["id"]) for error in report["errors"]], [(2, "E1003")])
+                self.assertNotIn("cycle_time_s", report)
 
     def test_takes_seconds_minutes_hours_and_days(self):
         slow = self.path("slow.ngc", "G21 G90\nG1 X100 F60\nM2\n")

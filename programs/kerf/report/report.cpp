@@ -27,9 +27,13 @@ void FileReport::take(const std::vector<diagnostics::Diagnostic>& found) {
 }
 
 void FileReport::fail_too_long(const TooLong& at) {
-  fail(ExitStatus::program_error,
-       fmt::format("{}: the program takes more than the {} s that are allowed, in line {} [{}]",
-                   file, at.max_time_s, at.line, diagnostics::identifier(errors::kTooLong)));
+  take({{{.line = at.line, .column = 1},
+         errors::kTooLong,
+         fmt::format("up to here the program takes more than the {} s that are allowed",
+                     at.max_time_s)}});
+  if (status == ExitStatus::done) {
+    status = ExitStatus::program_error;
+  }
 }
 
 std::vector<LimitUse> limit_uses(const MotionReport& motion, const lookahead::PlanLimits& limits,

@@ -12,6 +12,7 @@
 #include "programs/kerf/io/progress_bar.hpp"
 #include "programs/kerf/io/subprogram_folder.hpp"
 #include "programs/kerf/io/text_feed.hpp"
+#include "programs/kerf/run/block_lookup.hpp"
 #include "programs/kerf/run/first_places.hpp"
 #include "programs/kerf/run/first_scan.hpp"
 #include "programs/kerf/run/motion_run.hpp"
@@ -154,6 +155,12 @@ class Session {
       } else {
         move(*file);
       }
+      if (options_.command != Subcommand::run && report_.status == ExitStatus::program_error) {
+        // Up to where it was cut off it has no figures of its own.
+        report_.plan.reset();
+        report_.motion.reset();
+        fill_in_blocks(report_.diagnostics, *file);
+      }
       report_.run_duration_s = watch.elapsed_s();
     }
   }
@@ -226,6 +233,11 @@ class Session {
     file.rewind();
     if (options_.command != Subcommand::run) {
       path_.headings = headings_in(file);
+      if (path_.headings.size() == kMaxHeadings) {
+        report_.warnings.push_back(fmt::format(
+            "more than {} comments are headings: what follows counts as the last operation",
+            kMaxHeadings - 1));
+      }
       file.rewind();
     }
     if (options_.plot_file) {
