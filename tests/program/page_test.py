@@ -119,6 +119,22 @@ class Report(Case):
             self.assertNotIn("secret", json.dumps(header))
             self.assertFalse([name for name, part in sections.items() if isinstance(part, bytes) and b"secret" in part])
 
+    def test_leaves_the_words_of_an_alarm_and_names_out_of_its_messages(self):
+        for text, dialect, id in (("O1\nG0 X1.\n#3000=1(SECRET)\nM30\n", "fanuc", "E0543"), ("G0 X#<secret>\nM2\n", "rs274", "E0404"),
+                                  ("o<secret> call\nM2\n", "rs274", "E0511")):
+            self.report("--no-source", "--dialect", dialect, self.path("hidden.ngc", text), status=1)
+            [(header, _)] = plans_of(self.page)
+            self.assertEqual([one["id"] for one in header["diagnostics"]], [id])
+            self.assertNotIn("secret", json.dumps(header).lower())
+
+    def test_names_no_folder_of_a_subprogram_that_is_not_read(self):
+        folder = pathlib.Path(self.path("calls.ngc", "o<linked> call\nM2\n")).parent
+        (folder / "linked.ngc").symlink_to("/etc/passwd")
+        self.report(str(folder / "calls.ngc"), status=1)
+        [(header, _)] = plans_of(self.page)
+        self.assertIn("linked.ngc is not read", header["diagnostics"][0]["message"])
+        self.assertNotIn(str(folder), json.dumps(header))
+
     def test_leaves_the_text_out_where_that_is_asked_for(self):
         program = self.path("square.ngc", SQUARE)
         self.assertIn("with the program's text", self.report(program).stderr)

@@ -28,6 +28,19 @@ std::vector<std::string> paths_in(const FileReport& report) {
   return paths;
 }
 
+// With what separates it from the name of a file in it; empty: the file has none.
+std::string folder_of(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() || folder == "/" ? "" : folder + "/";
+}
+
+void leave_out(std::string& text, const std::string& part) {
+  for (std::size_t at = text.find(part); !part.empty() && at != std::string::npos;
+       at = text.find(part, at)) {
+    text.erase(at, part.size());
+  }
+}
+
 void name_files(std::string& text, const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
     const std::string name = name_of(path);
@@ -45,11 +58,13 @@ FileReport with_file_names(FileReport report) {
   if (paths.empty()) {
     return report;
   }
+  const std::string folder = folder_of(report.file);  // subprograms lie there
   report.file = name_of(report.file);
   report.machine = name_of(report.machine);
   for (diagnostics::Diagnostic& diagnostic : report.diagnostics) {
     diagnostic.file = name_of(diagnostic.file);
     name_files(diagnostic.message, paths);
+    leave_out(diagnostic.message, folder);
   }
   for (std::vector<std::string>* const messages : {&report.failures, &report.warnings}) {
     for (std::string& message : *messages) {

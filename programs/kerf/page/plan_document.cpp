@@ -188,6 +188,12 @@ void add_source(Sections& sections, const std::string& source) {
   }
 }
 
+// It has the words of a comment, or a name in angle brackets that the program has made.
+bool quotes_program(const diagnostics::Diagnostic& diagnostic) {
+  return diagnostic.page == &errors::kAborted || diagnostic.page == &errors::kMacroAlarm ||
+         diagnostic.message.find('<') != std::string::npos;
+}
+
 // The lowest byte first.
 std::string four_bytes(std::uint32_t number) {
   std::string bytes;
@@ -207,8 +213,8 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
   if (!record.quotes_text) {
     for (diagnostics::Diagnostic& diagnostic : named.diagnostics) {
       diagnostic.block = {};
-      if (diagnostic.page == &errors::kAborted) {
-        diagnostic.message = diagnostic.page->title;  // else it has the words of a comment
+      if (quotes_program(diagnostic)) {
+        diagnostic.message = diagnostic.page->title;
       }
     }
     if (named.motion) {
