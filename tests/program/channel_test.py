@@ -104,6 +104,18 @@ class Channel(ControlCase):
             client.write('{"command":"status"}\n' * 20000)
         self.assertEqual(process.wait(timeout=60), 0)
 
+    def test_a_client_that_reads_gets_megabytes_at_once(self):
+        prints = "".join("(PRINT," + "\u00e9" * 230 + ")\n" for _ in range(1000))
+        process, client = self.start("G21\nG1 X1 F6000\n" + prints + "M0\nM2\n")
+        client.read_until(type="event", waits_for="answer")
+        self.assertEqual(sum(event["event"] == "print" for event in client.events), 1000)
+        client.events.clear()
+        client.ask("events", since=1)
+        self.assertEqual(sum(event["event"] == "print" for event in client.events), 1000)
+        client.ask("resume")
+        process.communicate(timeout=60)  # the messages are on standard error, too
+        self.assertEqual(process.returncode, 0)
+
     def test_a_channel_that_is_none_is_refused_before_anything_moves(self):
         regular = os.open(self.path("regular", "x"), os.O_RDONLY)
         self.addCleanup(os.close, regular)

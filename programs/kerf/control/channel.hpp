@@ -15,8 +15,8 @@
 namespace kerf::program {
 
 // Serves all clients in a thread of its own. Commands are carried out by the thread that plans, an
-// emergency stop at once. A client that does not read is dropped once a megabyte waits for it; it
-// keeps nobody else waiting.
+// emergency stop at once. A client that does not read for a second is dropped once a megabyte waits
+// for it; it keeps nobody else waiting.
 //
 // Where the descriptors that were handed over have come to their end, nobody can answer a wait: the
 // program is stopped there.

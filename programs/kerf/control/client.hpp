@@ -58,9 +58,12 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   }
   // NOLINTEND(misc-no-recursion)
   void write(std::string line) {
+    if (lines_.empty()) {
+      took_ = std::chrono::steady_clock::now();
+    }
     waiting_bytes_ += line.size();
     lines_.push_back(std::move(line));
-    if (waiting_bytes_ > kMaxWaiting) {
+    if (waiting_bytes_ > kMuchWaiting && (waiting_bytes_ > kMaxWaiting || takes_nothing())) {
       close();
     } else if (lines_.size() == 1) {
       write_next();
@@ -92,7 +95,15 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
 
  private:
   static constexpr std::size_t kLongestLine = 65'536;
-  static constexpr std::size_t kMaxWaiting = 1U << 20U;  // bytes
+  // Bytes. The first is a lot for a client that takes none of them; many messages at once, or all
+  // events again, are as many for one that does.
+  static constexpr std::size_t kMuchWaiting = 1U << 20U;
+  static constexpr std::size_t kMaxWaiting = 1U << 24U;
+  static constexpr std::chrono::seconds kPatience{1};
+
+  [[nodiscard]] bool takes_nothing() const {
+    return std::chrono::steady_clock::now() - took_ > kPatience;
+  }
 
   // It may still be told what happens; where it ends with what it reads, what was asked for.
   void stop_reading() {
@@ -113,6 +124,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
             self->close();
             return;
           }
+          self->took_ = std::chrono::steady_clock::now();
           self->waiting_bytes_ -= size;
           self->lines_.pop_front();
           if (!self->lines_.empty()) {
@@ -131,6 +143,7 @@ class ControlClient : public std::enable_shared_from_this<ControlClient> {
   bool is_too_long_ = false;
   std::deque<std::string> lines_;
   std::size_t waiting_bytes_ = 0;
+  std::chrono::steady_clock::time_point took_{};  // a line of what waited, last
   int unanswered_ = 0;
   bool is_open_ = true;
   bool reads_ = true;
