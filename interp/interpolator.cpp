@@ -235,7 +235,7 @@ TickStatus Interpolator::next(Setpoint& setpoint) noexcept {
   reached_path_mm_.store(now_.s_mm, std::memory_order_relaxed);
   follow_surface(now_.position_mm, now_.outputs);
   setpoint = now_;
-  override_spindle(spindle_override_.load(std::memory_order_relaxed), setpoint.outputs);
+  override_spindle(spindle_share_, setpoint.outputs);
   return status;
 }
 

@@ -33,9 +33,13 @@ class Interpolator {
   // (EmergencyBrake), spindle and coolant off. Then the status is emergency_stop, for ever. Any
   // thread.
   void emergency_stop() noexcept { emergency_.store(true, std::memory_order_relaxed); }
-  // Of the programmed speed. Any thread.
+  // Of the programmed speed, once take_spindle_override() is called. Any thread.
   void override_spindle_by(double share) noexcept {
     spindle_override_.store(share, std::memory_order_relaxed);
+  }
+  // From the next tick on. Of the thread that calls next().
+  void take_spindle_override() noexcept {
+    spindle_share_ = spindle_override_.load(std::memory_order_relaxed);
   }
   [[nodiscard]] bool is_emergency() const noexcept {
     return emergency_.load(std::memory_order_relaxed);
@@ -134,6 +138,7 @@ class Interpolator {
   std::uint64_t output_changes_ = 0;  // so many were applied
   std::atomic<bool> emergency_ = false;
   std::atomic<double> spindle_override_ = 1.0;
+  double spindle_share_ = 1.0;  // of that, what was taken
   std::atomic<Heeded> heeded_{};
   EmergencyBrake brake_;
   InquiryWatch watch_;

@@ -18,7 +18,7 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   if (!is_possible(overrides)) {
     return false;
   }
-  interpolator_.override_spindle_by(overrides.spindle);
+  override_spindle_by(overrides.spindle);
   const double feed = heeded_share(overrides.feed);
   const double feed_before = std::exchange(feed_, feed > 0.0 ? feed : feed_);
   wants_change_ |= feed_ != feed_before || overrides.rapid != overrides_.rapid ||
@@ -29,6 +29,13 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   stop_feed();
   plan();
   return true;
+}
+
+// A tick has it once it was told, so which one that is the plan's clock knows.
+void Kernel::Impl::override_spindle_by(double share) {
+  const auto at_once = [](std::int64_t /*ticks*/) { return true; };
+  interpolator_.override_spindle_by(share);
+  plan_clock_ ? calls_.tell(plan_clock_) : calls_.tell(at_once);
 }
 
 bool Kernel::Impl::set_feed_inputs(const FeedInputs& inputs) {

@@ -168,6 +168,9 @@ bool Kernel::Impl::is_nearly_half_ahead() const {
 
 TickStatus Kernel::Impl::tick(Setpoint& setpoint) noexcept {
   const interp::TickCalls::Call call(calls_);
+  if (call.has_news()) {
+    interpolator_.take_spindle_override();
+  }
   const TickStatus status = interpolator_.next(setpoint);
   if (status == TickStatus::starved) {
     judge_.starve();

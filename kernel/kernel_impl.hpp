@@ -205,6 +205,7 @@ class KERF_LOCAL Kernel::Impl {
   void try_hold_feed();
   // To the plan: what does not begin to move.
   void stop_feed();
+  void override_spindle_by(double share);
   // From a hold or a wait.
   void go_on();
   [[nodiscard]] TickStatus status_at_wait() const noexcept;

@@ -199,6 +199,35 @@ TEST(Override, OfTheSpindleChangesItsSpeedAndFeedratesPerRevolution) {
   }
 }
 
+// Found with a client: a tick between the order and the look at it had the new speed already, and
+// so a run from the record of that look had other ticks.
+TEST(Override, OfTheSpindleComesWithTheTickThatThePlansClockKnows) {
+  Setpoint setpoint;
+  Kernel* ticked = nullptr;
+  KernelOptions options{.one_thread = false};
+  options.plan_clock = [&](std::int64_t /*ticks*/) {
+    if (Kernel* const kernel = std::exchange(ticked, nullptr)) {
+      kernel->tick(setpoint);
+    }
+    return true;
+  };
+  Kernel kernel(mill(), options);
+  kernel.feed("G21 G90 G61 M3 S600\nG1 F600 X40\nM2\n");
+  kernel.finish();
+  for (int i = 0; i < 100; ++i) {
+    kernel.plan();
+    kernel.tick(setpoint);
+  }
+  const double whole_rad_s = setpoint.outputs.spindle_rad_s;
+  EXPECT_GT(whole_rad_s, 0.0);
+  ticked = &kernel;
+  kernel.set_overrides({.spindle = 0.5});
+  ASSERT_EQ(ticked, nullptr);
+  EXPECT_EQ(setpoint.outputs.spindle_rad_s, whole_rad_s);
+  kernel.tick(setpoint);
+  EXPECT_EQ(setpoint.outputs.spindle_rad_s, 0.5 * whole_rad_s);
+}
+
 TEST(Override, OfTheSpindleIsNotFollowedWhileTapping) {
   const std::string text = "G21 G90 F600 M3 S600\nG0 X5\nG84 X10 Z-10 R2\nG80\nG1 X20\nM2\n";
   const auto plain = run_with(text, {}, {});
