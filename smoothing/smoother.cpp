@@ -13,6 +13,7 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   if (const auto* event = std::get_if<parser::EventMove>(&move.shape);
       event != nullptr && parser::is_at_motion(event->kind)) {
     changes_.push_back(*event);
+    last_change_ = move;
     return {};
   }
   made_.clear();
@@ -114,7 +115,19 @@ void Smoother::flush() {
   made_.clear();
   compressor_.flush(made_);
   queue_made();
+  queue_changes_at_end();
   queue_.emplace_back(EndOfPath{});
+}
+
+// A tick has them: they come with a rest of no time.
+void Smoother::queue_changes_at_end() {
+  const std::size_t count = changes_.size();
+  queue_changes_before(last_change_);
+  if (changes_.size() < count) {
+    parser::Move rest = last_change_;
+    rest.shape = parser::DwellMove{};
+    queue_.emplace_back(std::move(rest));
+  }
 }
 
 void Smoother::blend_next() {

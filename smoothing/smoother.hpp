@@ -29,7 +29,8 @@ class Smoother {
 
   // Error: the curve is not valid, and the move is left out.
   tl::expected<void, PathError> push(const parser::Move& move);
-  // Releases all that is held back: the path ends where the program does so far.
+  // Releases all that is held back: the path ends where the program does so far. An output that
+  // comes with motion waits for that.
   void flush();
   // What is pushed from now on is neither merged nor blended with another block of the program.
   void keep_blocks_apart(bool on) noexcept {
@@ -46,6 +47,7 @@ class Smoother {
   void queue_made();
   // Of the changes since the last move those that do not wait for motion.
   void queue_changes_before(const parser::Move& rest);
+  void queue_changes_at_end();
   // The changes since the last move, with this one.
   void come_with(const parser::Move& move);
   // Of a NURBS in G64: takes jumps of the curvature out of what was made of it.
@@ -66,6 +68,7 @@ class Smoother {
   std::vector<PathSegment> blended_;        // of one step
   std::vector<PathSegment> cut_;            // the same, in parts
   std::vector<parser::EventMove> changes_;  // since the last move
+  parser::Move last_change_;                // of these
   OutputChanges output_changes_;
   std::vector<Output> outputs_;
   std::size_t taken_ = 0;
