@@ -90,6 +90,7 @@ class KERF_LOCAL Controller::Impl {
     ControllerState state = ControllerState::off;
     bool door_open = false;
     std::int64_t ticks = 0;
+    double spindle_ratio = 1.0;
     Setpoint at{};
   };
   // Before what follows the ticks (KernelOptions::plan_clock).
@@ -138,6 +139,9 @@ class KERF_LOCAL Controller::Impl {
   // controller_manual.cpp
   // What moves by hand is followed to its end; after an emergency stop it is dropped.
   void follow_manual();
+  void follow_spindle();
+  // Where the tool is, at rest, with the speed of the spindle without an override.
+  [[nodiscard]] Setpoint rest_as_programmed() const;
   void follow_jog();
   void follow_return();
   void follow_homing();
@@ -200,10 +204,12 @@ class KERF_LOCAL Controller::Impl {
   std::atomic<bool> by_hand_ = false;       // what runs is no program
   std::unique_ptr<Kernel> kernel_;
   Published operator_{};
-  double spindle_share_ = 1.0;  // of the programmed speed, in the latest outputs
-  bool ran_ = false;            // at the last plan(), or began since
-  bool ran_line_ = false;       // the latest was one
-  bool told_failure_ = false;   // of it
+  double spindle_share_ = 1.0;               // of the programmed speed, in the latest outputs
+  double share_before_ = 1.0;                // until the tick that is told
+  std::atomic<double> spindle_ratio_ = 1.0;  // by which that changes it; 1: it has
+  bool ran_ = false;                         // at the last plan(), or began since
+  bool ran_line_ = false;                    // the latest was one
+  bool told_failure_ = false;                // of it
   // By hand.
   struct Manual {
     std::unique_ptr<Kernel> kernel{};

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "control/controller_impl.hpp"
+#include "interp/outputs.hpp"
 
 namespace kerf {
 
@@ -21,6 +22,7 @@ void Controller::Impl::look_at_ticks() {
              .state = state_.state(),
              .door_open = door_open_.load(),
              .ticks = tick_.load(),
+             .spindle_ratio = spindle_ratio_.load(),
              .at = here()};
     home_search_.look();
   };
@@ -35,6 +37,29 @@ void Controller::Impl::follow_ticks() {
   look_at_ticks();
   follow_manual();
   look_at_ticks();  // planning takes its time
+  follow_spindle();
+}
+
+// What runs by the program follows the override itself. At rest, by hand or in no program, the
+// spindle turns on from what ran last.
+void Controller::Impl::follow_spindle() {
+  const double share = operator_.overrides.spindle;
+  if (seen_.running != nullptr || seen_.spindle_ratio != 1.0 || share == spindle_share_) {
+    return;
+  }
+  share_before_ = std::exchange(spindle_share_, share);
+  spindle_ratio_.store(share / share_before_, std::memory_order_relaxed);
+  tell_ticks();
+  look_at_ticks();
+}
+
+Setpoint Controller::Impl::rest_as_programmed() const {
+  Setpoint at = here();
+  at.outputs = seen_.at.outputs;
+  if (at.outputs.follows_speed_override) {
+    at.outputs.spindle_rad_s /= seen_.spindle_ratio == 1.0 ? spindle_share_ : share_before_;
+  }
+  return at;
 }
 
 void Controller::Impl::tell_ticks() {
@@ -118,13 +143,17 @@ void Controller::Impl::queue_jog(const Jog& jog) {
 }
 
 void Controller::Impl::run(const control::ManualMove& move) {
-  manual_.kernel = control::kernel_of(move, here(), settings_, options_);
+  Setpoint at = rest_as_programmed();
+  spindle_share_ = operator_.overrides.spindle;
+  interp::override_spindle(spindle_share_, at.outputs);
+  manual_.kernel = control::kernel_of(move, at, settings_, options_);
   manual_.ends = false;
   by_hand_ = true;
   run(*manual_.kernel);
 }
 
 void Controller::Impl::run(Kernel& kernel) {
+  spindle_ratio_ = 1.0;  // it begins with that
   running_.store(&kernel);
   seen_.running = &kernel;
   tell_ticks();

@@ -78,7 +78,7 @@ std::unique_ptr<Kernel> Controller::Impl::kernel_of_line(std::string_view line) 
 
 // A program after programs begins as the first one; after lines, with what they left.
 KernelOptions Controller::Impl::options_from_here(Runs what) {
-  const Setpoint at = here();
+  const Setpoint at = rest_as_programmed();
   KernelOptions options = options_;
   if (what == Runs::line || programs_.load() > 0) {
     options.start_in_program.reset();
@@ -87,9 +87,6 @@ KernelOptions Controller::Impl::options_from_here(Runs what) {
   if (kernel_ && (what == Runs::line || ran_line_)) {
     options.begins_with = kernel_->state_left();
     options.start_outputs = at.outputs;
-    if (at.outputs.follows_speed_override) {
-      options.start_outputs.spindle_rad_s /= spindle_share_;
-    }
   }
   if (what == Runs::line) {
     options.one_line = true;
@@ -176,8 +173,9 @@ bool Controller::Impl::hear_out() {
 }
 
 bool Controller::Impl::tell() {
-  const std::vector<ProgramMessage> messages = kernel_->take_messages();
-  for (const ProgramMessage& message : messages) {
+  std::vector<ProgramMessage> messages = kernel_->take_messages();
+  for (ProgramMessage& message : messages) {
+    message.line = ran_line_ ? 0 : message.line;  // an operator's line is none of the program's
     events_.note({.kind = ControllerEvent::Kind::message,
                   .state = state_.state(),
                   .message = messages_.add(message)});

@@ -1,5 +1,6 @@
 // The tick side of a controller, and what any thread may do or see.
 #include "control/controller_impl.hpp"
+#include "interp/outputs.hpp"
 
 namespace kerf {
 
@@ -108,6 +109,10 @@ void Controller::Impl::rest(bool has_news) noexcept {
   last_.v_mm_s = last_.a_mm_s2 = last_.j_mm_s3 = 0.0;
   last_.velocity_mm_s = last_.acceleration_mm_s2 = {};
   last_.limit = Constraint::rest;
+  if (has_news) {
+    interp::override_spindle(spindle_ratio_.exchange(1.0, std::memory_order_relaxed),
+                             last_.outputs);
+  }
   if (!drives_on()) {
     last_.outputs.spindle_rad_s = 0.0;
     last_.outputs.surface = {};

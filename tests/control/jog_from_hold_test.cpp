@@ -43,6 +43,30 @@ TEST(Jog, FromAHoldGoesBackOverItsPlacesBeforeTheProgramGoesOn) {
   EXPECT_FALSE(shop.controller.program()->fault());
 }
 
+// Found with a client: it was followed in the hold, and no more once the tool had been jogged.
+TEST(Jog, FromAHoldLeavesASpindleThatFollowsItsOverride) {
+  JogShop shop;
+  constexpr double kWhole_rad_s = 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
+  const auto override_by = [&](double share) {
+    ASSERT_TRUE(shop.controller.set_overrides({.spindle = share}));
+    shop.go(3);
+    EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, share * kWhole_rad_s, 1e-9);
+  };
+  shop.start("G21 G90 F6000 M3 S600\nG1 X200\nM2\n");
+  shop.go(400);
+  shop.give(Command::hold);
+  shop.go_until(State::held);
+  override_by(0.5);
+  shop.jog({.mm = {0.0, 5.0, 0.0}, .is_step = true});
+  shop.go_until(State::held);
+  override_by(0.1);
+  override_by(1.5);
+  shop.give(Command::resume);
+  while (shop.go() != State::idle) {
+    ASSERT_NEAR(shop.setpoint.outputs.spindle_rad_s, 1.5 * kWhole_rad_s, 1e-9);
+  }
+}
+
 // By which a program goes on another day.
 TEST(Jog, FromAHoldLeavesTheBlockOfTheProgram) {
   JogShop shop;

@@ -176,6 +176,43 @@ TEST(Line, TurnsTheSpindleAsWasProgrammedWhenTheOverrideHasChanged) {
   EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, 0.5 * kWhole_rad_s, 1e-9);
 }
 
+// Found with a client: it was accepted and shown, and the spindle followed it with the next line.
+TEST(Line, LeavesASpindleThatFollowsItsOverride) {
+  LineShop shop;
+  constexpr double kWhole_rad_s = 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
+  const auto expect_share = [&](double share) {
+    shop.tick(3);
+    EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, share * kWhole_rad_s, 1e-9);
+  };
+  shop.run_mdi("M3 S600");
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
+  expect_share(0.5);
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.1}));
+  shop.controller.plan();
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 2.0}));
+  shop.controller.plan();
+  expect_share(2.0);
+  shop.run_mdi("G21 G1 X5 F3000");
+  expect_share(2.0);
+  ASSERT_TRUE(shop.controller.set_overrides({}));
+  expect_share(1.0);
+}
+
+// Found with a client: what comes with the next motion came with the next line.
+TEST(Line, AllowsTheOverrideOfTheSpindleOrNotByItself) {
+  LineShop shop;
+  constexpr double kWhole_rad_s = 600.0 * 2.0 * 3.14159265358979323846 / 60.0;
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.5}));
+  shop.run_mdi("M3 S600");
+  for (const auto& [line, share] : {std::pair{"M49", 1.0}, {"M48", 0.5}, {"M51 P0 M8", 1.0}}) {
+    shop.run_mdi(line);
+    EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, share * kWhole_rad_s, 1e-9) << line;
+  }
+  ASSERT_TRUE(shop.controller.set_overrides({.spindle = 0.2}));  // not followed
+  shop.tick(3);
+  EXPECT_NEAR(shop.setpoint.outputs.spindle_rad_s, kWhole_rad_s, 1e-9);
+}
+
 // They end before the planning thread looks again.
 TEST(Line, SaysWhatItHasToSayHoweverShortItIs) {
   LineShop shop;
