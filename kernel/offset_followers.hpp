@@ -62,7 +62,7 @@ class OffsetFollowers {
   parser::Point place_mm_;  // of the tool in the check
   bool is_over_ = false;    // or the program runs another way there
   // No move has brought the axis from a start that is where the first moves lead.
-  std::array<bool, 3> is_at_start_;
+  std::array<bool, 3> is_at_start_{};
   OffsetExtents extents_;
 };
 

@@ -51,6 +51,12 @@ class MaxTime(Case):
                 self.assertEqual([(error["line"], error["id"]) for error in report["errors"]], [(2, "E1003")])
                 self.assertNotIn("cycle_time_s", report)
 
+    def test_more_headings_than_are_kept_are_told(self):
+        for headings, told in ((9999, 0), (10001, 1)):
+            part = self.path("part.ngc", "G61\n" + "".join(f"(op {i})\n" for i in range(headings)) + "G1 X1 F6000\nM2\n")
+            report = json.loads(self.kerf("dry-run", part, "--json").stdout)
+            self.assertEqual(sum("comments are headings" in warning for warning in report["warnings"]), told)
+
     def test_takes_seconds_minutes_hours_and_days(self):
         slow = self.path("slow.ngc", "G21 G90\nG1 X100 F60\nM2\n")
         for time, status in (("99", 1), ("101", 0), ("1.5min", 1), ("2min", 0), ("0.02h", 1), ("0.03h", 0), ("1d", 0)):

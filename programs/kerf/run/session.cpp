@@ -4,6 +4,8 @@
 #include <utility>
 #include <variant>
 
+#include <spdlog/fmt/fmt.h>
+
 #include "programs/kerf/driver/machine_record.hpp"
 #include "programs/kerf/io/interrupt.hpp"
 #include "programs/kerf/io/keyboard.hpp"
