@@ -18,7 +18,9 @@ bool Kernel::Impl::set_overrides(const Overrides& overrides) {
   if (!is_possible(overrides)) {
     return false;
   }
-  override_spindle_by(overrides.spindle);
+  if (overrides.spindle != overrides_.spindle) {
+    override_spindle_by(overrides.spindle);
+  }
   const double feed = heeded_share(overrides.feed);
   const double feed_before = std::exchange(feed_, feed > 0.0 ? feed : feed_);
   wants_change_ |= feed_ != feed_before || overrides.rapid != overrides_.rapid ||

@@ -51,7 +51,7 @@ bool Compressor::takes(const parser::Move& move) {
   }
   if (is_exact(move)) {
     const double length_mm = distance_mm(move.start_mm, line->end_mm);
-    return length_mm > kShortestExact_mm && length_mm <= kShortExact_s * move.feedrate_mm_s;
+    return length_mm > kShortestExact_mm && length_mm < kShortExact_s * move.feedrate_mm_s;
   }
   return move.mode == parser::PathMode::blend && move.merge_tolerance_mm > 0.0;
 }
