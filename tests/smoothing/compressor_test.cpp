@@ -87,7 +87,7 @@ std::vector<Position> ends_of_exact(const std::vector<Position>& points) {
 TEST(Compressor, KeepsLinesOfG61ThatTurnByMoreThanRoundingOrLeadBack) {
   EXPECT_EQ(ends_of_exact({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 4e-9, 0}, {4, 0, 0}, {5, 0, 0}}),
             (std::vector<Position>{{2, 0, 0}, {3, 4e-9, 0}, {4, 0, 0}, {5, 0, 0}}));
-  EXPECT_EQ(ends_of_exact({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}, {4, 0, 0}, {5, 0, 0}}),
+  EXPECT_EQ(ends_of_exact({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1.5, 0, 0}, {3.5, 0, 0}, {5, 0, 0}}),
             (std::vector<Position>{{2, 0, 0}, {1.5, 0, 0}, {5, 0, 0}}));
 }
 
