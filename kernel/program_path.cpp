@@ -64,6 +64,7 @@ ProgramPath::ProgramPath(const MachineSettings& settings, const KernelOptions& o
     start_.emplace(*options.start_in_program, settings,
                    options_for(order, settings, options).answers, end_);
   }
+  smoother_.keep_exact_lines_apart(order.keeps_exact_lines_apart || start_);
 }
 
 ProgramPath::Next ProgramPath::next(Output& output) {
@@ -98,6 +99,7 @@ bool ProgramPath::next_to_run(Output& output) {
       }
       way_to_start_.push_back(std::move(output));
       start_.reset();
+      smoother_.keep_exact_lines_apart(order_.keeps_exact_lines_apart);
     }
   }
   output = std::move(way_to_start_.front());

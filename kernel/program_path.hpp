@@ -27,6 +27,9 @@ class ProgramPath {
   struct Order {
     parser::BlockWatcher* watcher = nullptr;  // ReaderOptions::watcher
     bool asks_machine = false;                // at G38 and M66 next() wants text until answer()
+    // In G61 each line comes out by itself; so it is up to a start in the program, which may be
+    // any.
+    bool keeps_exact_lines_apart = false;
     // Moves come out unsmoothed, including those after an error and those before a start.
     bool as_programmed = false;
     PipelineObserver* observer =

@@ -17,7 +17,7 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
     return {};
   }
   made_.clear();
-  if (!keeps_blocks_apart_ && Compressor::takes(move)) {
+  if (merges(move)) {
     if (!compressor_.continues(move)) {
       compressor_.flush(made_);
     }
@@ -43,6 +43,11 @@ tl::expected<void, PathError> Smoother::push(const parser::Move& move) {
   come_with(move);
   queue_made();
   return {};
+}
+
+bool Smoother::merges(const parser::Move& move) const {
+  const bool is_kept = keeps_exact_lines_apart_ && move.mode == parser::PathMode::exact_path;
+  return !keeps_blocks_apart_ && !is_kept && Compressor::takes(move);
 }
 
 void Smoother::queue_changes_before(const parser::Move& rest) {

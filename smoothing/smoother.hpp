@@ -37,6 +37,8 @@ class Smoother {
     keeps_blocks_apart_ = on;
     blender_.keep_blocks_apart(on);
   }
+  // In G61 each line pushed from now on is a segment.
+  void keep_exact_lines_apart(bool on) noexcept { keeps_exact_lines_apart_ = on; }
   // False: push more moves, or flush.
   bool next(Output& output);
 
@@ -44,6 +46,7 @@ class Smoother {
   [[nodiscard]] PathDeviations deviations() const noexcept;
 
  private:
+  [[nodiscard]] bool merges(const parser::Move& move) const;
   void queue_made();
   // Of the changes since the last move those that do not wait for motion.
   void queue_changes_before(const parser::Move& rest);
@@ -62,6 +65,7 @@ class Smoother {
   Compressor compressor_;
   Blender blender_;
   bool keeps_blocks_apart_ = false;
+  bool keeps_exact_lines_apart_ = false;
   std::vector<PathSegment> made_;  // of one move
   struct EndOfPath {};             // for now
   std::deque<std::variant<PathSegment, parser::Move, EndOfPath>> queue_;

@@ -122,6 +122,16 @@ class Start(Case):
     def test_names_the_lines_around_a_merged_run(self):
         self.refused(MERGED, 6, "within a curve that G64 made of several lines", "line 3 before it", "after it")
 
+    def test_any_line_of_a_straight_row_of_exact_lines_is_a_place(self):
+        row = self.path("row.ngc", "G21 G90 G61 F6000\n" + "".join(f"G1 X{0.2 * i:.1f}\n" for i in range(1, 101)) + "M2\n")
+        trace = self.path("rest.csv")
+        for line in (2, 3, 50, 77, 101):
+            self.kerf("dry-run", row, "--from-line", str(line), "--trace", trace, "-q")
+            rows = self.rows(trace)
+            reached = next(float(one["x_mm"]) for one in rows if int(one["line"]) > line)  # behind that line's end
+            self.assertAlmostEqual(reached, 0.2 * (line - 1), delta=0.1)
+            self.assertEqual(float(rows[-1]["x_mm"]), 20)
+
     def test_takes_the_line_before_where_it_is_asked_to(self):
         for text, line, before in ((CURVE, 5, 3), (COMPENSATED, 5, 3), (CYCLE, 4, 3), (MERGED, 6, 3)):
             program = self.path("moved.ngc", text)

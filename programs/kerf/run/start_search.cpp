@@ -208,7 +208,8 @@ tl::expected<Searched, std::string> search(ProgramFile& file, const StartSearchO
   Search search(target, order.knows_answers);
   KernelOptions options = order.options;
   options.start_in_program.reset();
-  ProgramPath path(order.settings, options, {.watcher = &search, .observer = &search});
+  ProgramPath path(order.settings, options,
+                   {.watcher = &search, .keeps_exact_lines_apart = true, .observer = &search});
   const auto ended = walk_path(file, path, [&search](const ProgramPath::Output& output) {
     search.output(first_block(output));
     return !search.is_over();
