@@ -229,6 +229,8 @@ TEST(Line, SaysWhatItHasToSayHoweverShortItIs) {
   for (std::size_t i = 0; i < count; ++i) {
     const auto message = shop.controller.message(events[i].message);
     told += message ? message->text + ";" : "";
+    // Of no line of the program, which it is none of.
+    EXPECT_EQ(message ? message->line : 0U, 0U);
   }
   EXPECT_EQ(told, "one;two;");
 }

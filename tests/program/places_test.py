@@ -132,6 +132,13 @@ class Fit(Case):
             self.assertNotIn("would fit", done.stdout)
             self.assertFalse(json.loads(self.kerf("check", part, "--machine", machine, "--json", status=4).stdout)["fit"]["fits"])
 
+    def test_where_x_y_and_z_would_fit_is_told_beside_another_axis_that_does_not(self):
+        machine = self.path("turning.toml", "[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\n"
+                            "[axes.x]\nmin_mm = 0\nmax_mm = 300\n"
+                            "[axes.a]\nmin_deg = -720\nmax_deg = 720\nmax_velocity_deg_s = 100\nmax_acceleration_deg_s2 = 1000\nmax_jerk_deg_s3 = 10000\n")
+        part = self.path("turn.ngc", "G21 G90\nG1 X400 A800 F600\nM2\n")
+        self.assertIn("  x, y, z fit with G54 X between -400.000 and -100.000\n", self.kerf("check", part, "--machine", machine, status=4).stdout)
+
     def test_is_true_at_both_ends_of_the_range_and_not_beyond(self):
         part = self.path("part.ngc", PART)
         for x, status in ((-600, 0), (-600.001, 4), (380, 0), (380.001, 4)):
