@@ -13,6 +13,7 @@
 #include <sched.h>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include <kerf/kernel.hpp>
@@ -43,11 +44,16 @@ bool is_line(const ControlProgram& program) {
 }
 
 struct Held {
-  double reaction_ms = 0.0;       // of ticks, from the request to the first that is another
-  bool rests_as_planned = false;  // none is: the plan braked to a rest that is as near
+  double reaction_ms = 0.0;      // of ticks, from the request to the first that is another
+  bool rests_as_planned = true;  // none is: the plan braked to a rest that is as near
   double planning_ms = 0.0;
   double rest_ms = 0.0;
-  WayToRest way{};  // from the last tick that was not another
+  double begin_mm = 0.0;  // of the last tick that was not another
+  // From the first that is, which is the first whose motion is known to brake: between these two
+  // the plan before may go on for a part of a tick, with another acceleration.
+  WayToRest way{};
+
+  [[nodiscard]] double way_mm() const { return way.from.s_mm + way.way_mm - begin_mm; }
 };
 
 class HeldRun {
@@ -82,16 +88,19 @@ class HeldRun {
   [[nodiscard]] bool watch(TickStatus status, const Setpoint& setpoint, Held& held) const {
     const double ms = 1e3 * default_machine().limits.period_s;
     WayToRest& way = held.way;
-    if (way.way_mm == 0.0 && setpoint.position_mm == whole(setpoint.tick).position_mm) {
+    const bool is_as_planned = setpoint.position_mm == whole(setpoint.tick).position_mm ||
+                               setpoint.s_mm == held.begin_mm;  // it rests where the plan did
+    if (held.rests_as_planned && is_as_planned) {
       held.reaction_ms += ms;
+      held.begin_mm = setpoint.s_mm;
+      return status != TickStatus::running;
+    }
+    if (std::exchange(held.rests_as_planned, false)) {
       way.from = {.s_mm = setpoint.s_mm, .v_mm_s = setpoint.v_mm_s, .a_mm_s2 = setpoint.a_mm_s2};
-      way.a_mm_s2 = {setpoint.a_mm_s2};
-      return false;
     }
     held.rest_ms += ms;
     way.way_mm = setpoint.s_mm - way.from.s_mm;
     way.a_mm_s2.push_back(setpoint.a_mm_s2);
-    held.rests_as_planned = way.way_mm == 0.0;
     return status != TickStatus::running;
   }
 
@@ -159,7 +168,10 @@ bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
     reaction.push_back(held.reaction_ms);
     planning.push_back(held.planning_ms);
     rest.push_back(held.rest_ms);
-    way_mm = std::max(way_mm, held.way.way_mm);
+    way_mm = std::max(way_mm, held.way_mm());
+    if (held.way.way_mm == 0.0) {
+      continue;
+    }
     over_shortest.push_back(held.way.way_mm /
                             shortest_stop_mm(path, held.way.from, default_machine().limits));
     if (!folder.empty() && over_shortest.back() > kWayAtMost) {
@@ -276,8 +288,9 @@ int control(const std::string& folder) {
   std::printf(
       "%d holds each, in virtual time: ticks from the request to the first other setpoint, and "
       "what planning took. Where the plan brakes to a rest that is as near there is none, and the "
-      "hold is not counted. Way: the longest; over a bound that no way is shorter than, which lets "
-      "jumps and an axis at its limit of jerk cost nothing.\n\n"
+      "hold is not counted. Way: the longest, from the last tick that was not another; from the "
+      "first that was, over a bound that no way is shorter than, which lets jumps and an axis at "
+      "its limit of jerk cost nothing.\n\n"
       "| program | profile | counted | reaction, median ms | worst | planning, median ms | worst | "
       "braking, "
       "worst ms | way, mm | over the bound, median | worst |\n"
