@@ -26,6 +26,7 @@ constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
 constexpr std::size_t kMaxCells = 256;
 constexpr double kCellsOfWay = 40.0;
+constexpr double kFineCellsOfWay = 64.0;
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
 // A try that takes more does not end well in most cases; there are others.
@@ -150,7 +151,8 @@ bool StopSearch::is_in_reach(double distance_mm) const {
   return way_.knows(distance_mm) && !(rest && rest->cell >= kMaxCells);
 }
 
-std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_end) const {
+std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, StopGrid grid,
+                                                  bool& is_end) const {
   if (!is_in_reach(distance_mm)) {
     is_end = false;
     return std::nullopt;
@@ -161,7 +163,8 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, bool& is_e
   if (sequence.cells.empty()) {
     return std::nullopt;
   }
-  divide(sequence.cells, distance_mm / kCellsOfWay, path);
+  const double cells_of_way = grid == StopGrid::fine ? kFineCellsOfWay : kCellsOfWay;
+  divide(sequence.cells, distance_mm / cells_of_way, path);
   if (sequence.cells.back().ends_block) {
     relax_beside_rest(sequence.cells, BlockSide::end);
   }
@@ -185,7 +188,7 @@ std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) c
     const double s_curve_mm = s_curve_.back().s_mm;
     bool is_end = i > 0 && reaches_end(kDistancesOfAny[i - 1] * s_curve_mm);
     if (!is_end) {
-      found = to_rest_at(kDistancesOfAny[i] * s_curve_mm, is_end);
+      found = to_rest_at(kDistancesOfAny[i] * s_curve_mm, StopGrid::coarse, is_end);
     }
   }
   if (found) {
@@ -195,8 +198,11 @@ std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) c
 }
 
 // Once there is a way, what is between it and the longest distance without one is divided down to
-// kStep. The S-curve is taken to be such a one.
-std::optional<std::vector<BrakingPart>> StopSearch::shortest(const IsLate& is_late) const {
+// kStep. The S-curve is taken to be such a one. Where the path bends within a cell there may be a
+// way that few cells cannot show: what they found too short is tried once more with more of them.
+std::optional<std::vector<BrakingPart>> StopSearch::shortest(const IsLate& is_late_now) const {
+  bool has_been_late = false;
+  const IsLate is_late = [&] { return has_been_late = has_been_late || is_late_now(); };
   if (way_.cells().empty() || s_curve_.back().s_mm < kAtBlockEnd_mm) {
     return in_closed_form();
   }
@@ -212,14 +218,24 @@ std::optional<std::vector<BrakingPart>> StopSearch::shortest(const IsLate& is_la
       try_at(next_mm, tried);
     }
   }
-  while (tried.best && tried.best_mm > kStep * tried.too_short_mm && !is_late()) {
-    try_at(std::sqrt(tried.too_short_mm * tried.best_mm), tried);
+  divide_down(is_late, tried);
+  const double missed_mm = std::exchange(tried.too_short_mm, s_curve_mm);
+  if (tried.best && missed_mm > s_curve_mm && !is_late()) {
+    tried.grid = StopGrid::fine;
+    try_at(missed_mm, tried);
+    divide_down(is_late, tried);
   }
   return tried.best ? std::move(tried.best) : in_closed_form();
 }
 
+void StopSearch::divide_down(const IsLate& is_late, Tried& tried) const {
+  while (tried.best && tried.best_mm > kStep * tried.too_short_mm && !is_late()) {
+    try_at(std::sqrt(tried.too_short_mm * tried.best_mm), tried);
+  }
+}
+
 void StopSearch::try_at(double distance_mm, Tried& tried) const {
-  if (const auto plan = to_rest_at(distance_mm, tried.is_end)) {
+  if (const auto plan = to_rest_at(distance_mm, tried.grid, tried.is_end)) {
     tried.best = parts(*plan);
     tried.best_mm = std::min(way_mm(*tried.best), distance_mm);
   } else {

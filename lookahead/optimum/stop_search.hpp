@@ -18,6 +18,9 @@ enum class StopDistance : std::uint8_t { near, far, farthest };
 inline constexpr std::array kStopDistances{StopDistance::near, StopDistance::far,
                                            StopDistance::farthest};
 
+// How finely the way is divided: a try over a fine one takes longer.
+enum class StopGrid : std::uint8_t { coarse, fine };
+
 // The search over the cells ahead, to a rest at one distance after the other.
 //
 // The solver finds the fastest way to a given rest; the nearest rest to which there is a way is
@@ -60,12 +63,15 @@ class StopSearch {
     double best_mm = 0.0;
     double too_short_mm = 0.0;  // the longest without a way
     bool is_end = false;        // of the last distance: reaches_end()
+    StopGrid grid = StopGrid::coarse;
   };
+  void divide_down(const IsLate& is_late, Tried& tried) const;
   void try_at(double distance_mm, Tried& tried) const;
   // That far the way is known, over no more cells than a search can have.
   [[nodiscard]] bool is_in_reach(double distance_mm) const;
   // is_end: reaches_end().
-  [[nodiscard]] std::optional<OptimalPlan> to_rest_at(double distance_mm, bool& is_end) const;
+  [[nodiscard]] std::optional<OptimalPlan> to_rest_at(double distance_mm, StopGrid grid,
+                                                      bool& is_end) const;
   [[nodiscard]] std::vector<BrakingPart> parts(const OptimalPlan& plan) const;
 
   const BrakingFrom* from_;

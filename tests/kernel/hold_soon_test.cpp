@@ -102,23 +102,53 @@ TEST(HoldSoon, OnLinesOfLessThanATickBrakesAsOnTheLineThatTheyMake) {
   }
 }
 
+Kernel butterfly() {
+  Kernel kernel(default_machine(), {.profile = {.kind = ProfileKind::time_optimal}});
+  kernel.feed(shipped_program("butterfly.ngc"));
+  kernel.finish();
+  return kernel;
+}
+
+// The shortest ways are those of bench/optima/shortest_stops: linear programs around a motion, from
+// the first tick that brakes.
+TEST(HoldSoon, OnACurveBrakesInHardlyMoreThanTheShortestWay) {
+  struct Hold {
+    std::size_t tick;
+    double shortest_mm;
+  };
+  Kernel free = butterfly();
+  const std::vector<Setpoint> whole = rest_of(free);
+  for (const Hold& hold : {Hold{2116, 1.1382}, Hold{3414, 3.6524}}) {
+    SCOPED_TRACE(hold.tick);
+    Kernel kernel = butterfly();
+    Setpoint setpoint;
+    std::optional<double> begin_mm;
+    TickStatus status = TickStatus::running;
+    for (std::size_t tick = 0; status == TickStatus::running && tick < whole.size(); ++tick) {
+      if (tick == hold.tick) {
+        kernel.hold();
+      }
+      status = kernel.next(setpoint);
+      if (!begin_mm && setpoint.position_mm != whole[tick].position_mm) {
+        begin_mm = setpoint.s_mm;
+      }
+    }
+    EXPECT_EQ(status, TickStatus::held);
+    ASSERT_TRUE(begin_mm);
+    EXPECT_LE(setpoint.s_mm - *begin_mm, 1.04 * hold.shortest_mm);
+  }
+}
+
 // On the butterfly an axis rides on its limit of jerk there. The first other setpoint comes within
 // 20 ms.
 TEST(HoldSoon, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {
-  const KernelOptions options{.profile = {.kind = ProfileKind::time_optimal}};
-  const std::string text = shipped_program("butterfly.ngc");
-  const auto fresh = [&] {
-    Kernel kernel(default_machine(), options);
-    kernel.feed(text);
-    kernel.finish();
-    return kernel;
-  };
-  Kernel free = fresh();
+  Kernel free = butterfly();
   const std::vector<Setpoint> whole = rest_of(free);
-  const PlannedPath path(default_machine(), options, text);
+  const PlannedPath path(default_machine(), {.profile = {.kind = ProfileKind::time_optimal}},
+                         shipped_program("butterfly.ngc"));
   for (const std::size_t hold : {465U, 476U, 487U, 1609U, 2610U, 3072U, 3523U, 4073U}) {
     SCOPED_TRACE(hold);
-    Kernel kernel = fresh();
+    Kernel kernel = butterfly();
     TickChecker checker(default_machine().limits, true);
     const double feedrate_mm_s = default_machine().limits.path.velocity_mm_s;
     Setpoint setpoint;
