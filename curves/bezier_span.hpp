@@ -18,7 +18,7 @@
 
 namespace kerf::curves {
 
-// WebAssembly has no wide floating point: long double is 128 bits in software there, a quarter of
+// WebAssembly has no wide floating point: long double is 128 bits in software there, a sixth of
 // the time of a plan. With double, pieces meet within 2e-13 mm instead of 1e-13, which no page
 // shows.
 #ifdef __wasm__
