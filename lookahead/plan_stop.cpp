@@ -7,7 +7,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-// How long after the tick ends of phases are from which a way to rest is sought, and how far apart.
+// How long after the tick a way to rest may begin, and how far apart are motions that are tried.
 constexpr double kToTry_s = 0.01;
 constexpr double kBetween_s = 0.005;
 // Of the present plan, where a new one may change its jerk, too.
@@ -34,20 +34,19 @@ BrakingFrom braking_from(const EmittedItems& kept, const EmittedItems::Motion& m
   return from;
 }
 
-// The ends of phases come first: the plan has found the motion there feasible, and what follows.
-// Those of a classical plan are far apart, as are those of a cruise.
+// The first is the motion at the tick: what is left of its phase is a short cell, in which the way
+// to rest can do something else than after it. From the end of a phase some ways are not found.
+// Then ends follow, where the plan has found the motion feasible; those of a classical plan are far
+// apart, as are those of a cruise.
 std::vector<EmittedItems::Motion> motions_to_stop_from(const Emitter& emitter, std::int64_t tick,
                                                        const PlanLimits& limits) {
   const auto ticks_to_try = static_cast<std::int64_t>(kToTry_s / limits.period_s);
   const auto ticks_between = static_cast<std::int64_t>(kBetween_s / limits.period_s);
-  std::vector<EmittedItems::Motion> motions;
+  std::vector<EmittedItems::Motion> motions{emitter.motion_at(tick)};
   for (const auto& end : emitter.kept().ends_within({.begin = tick, .end = tick + ticks_to_try})) {
-    if (motions.empty() || end.when.tick >= motions.back().when.tick + ticks_between) {
+    if (end.when.tick >= motions.back().when.tick + ticks_between) {
       motions.push_back(end);
     }
-  }
-  if (motions.empty() || motions.front().when.tick >= tick + ticks_between) {
-    motions.insert(motions.begin(), emitter.motion_at(tick));
   }
   return motions;
 }

@@ -16,7 +16,7 @@ namespace kerf::lookahead {
 
 namespace {
 
-constexpr double kStep = 1.06;
+constexpr double kStep = 1.03;
 // Over the way of the S-curve, where that or the steps have one: the optimum may be as short.
 constexpr double kNearest = 1.01;
 // Over the way of the S-curve, until one is far enough; the last where those before are not known.
@@ -27,6 +27,9 @@ constexpr std::size_t kMinCells = 3;
 constexpr std::size_t kMaxCells = 256;
 constexpr double kCellsOfWay = 40.0;
 constexpr double kFineCellsOfWay = 64.0;
+// Of the first cell: a motion near a limit may bear the jerk that it has for no longer.
+constexpr std::array kPartsOfFirst{0.25, 0.25, 0.5};
+constexpr double kWorthDividing = 0.1;  // of the longest cell
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
 // A try that takes more does not end well in most cases; there are others.
@@ -43,6 +46,20 @@ void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
     divided.insert(divided.end(), parts.begin(), parts.end());
   }
   cells = std::move(divided);
+}
+
+void divide_first(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
+  const Cell first = cells.front();
+  if (first.length_mm < kWorthDividing * longest_mm) {
+    return;
+  }
+  std::vector<double> lengths;
+  for (const double part : kPartsOfFirst) {
+    lengths.push_back(part * first.length_mm);
+  }
+  const std::vector<Cell> parts = parts_of(first, lengths, path);
+  cells.erase(cells.begin());
+  cells.insert(cells.begin(), parts.begin(), parts.end());
 }
 
 // The first cells, to a rest at the distance. True: that is the end of what is known.
@@ -163,8 +180,9 @@ std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, StopGrid g
   if (sequence.cells.empty()) {
     return std::nullopt;
   }
-  const double cells_of_way = grid == StopGrid::fine ? kFineCellsOfWay : kCellsOfWay;
-  divide(sequence.cells, distance_mm / cells_of_way, path);
+  const double longest_mm = distance_mm / (grid == StopGrid::fine ? kFineCellsOfWay : kCellsOfWay);
+  divide(sequence.cells, longest_mm, path);
+  divide_first(sequence.cells, longest_mm, path);
   if (sequence.cells.back().ends_block) {
     relax_beside_rest(sequence.cells, BlockSide::end);
   }

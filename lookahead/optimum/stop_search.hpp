@@ -26,8 +26,9 @@ enum class StopGrid : std::uint8_t { coarse, fine };
 // The solver finds the fastest way to a given rest; the nearest rest to which there is a way is
 // found by trying. Each try begins with the S-curve of the limits at this place, drawn out to the
 // distance: it decelerates less than they allow, so the solver begins within the limits and takes
-// some twenty Newton steps. An S-curve in closed form stands in where it keeps the limits when it
-// is looked at twice a tick.
+// some twenty Newton steps. The first cells are shorter than the others: a jerk that the motion
+// needs where it begins may be one that it does not bear for a whole cell. An S-curve in closed
+// form stands in where it keeps the limits when it is looked at twice a tick.
 //
 // A way made step by step (steepest_braking) is the bound: no rest farther away is tried, and it is
 // the way where the solver finds none, as where the motion needs all of an axis' jerk: the solver

@@ -102,30 +102,29 @@ TEST(HoldSoon, OnLinesOfLessThanATickBrakesAsOnTheLineThatTheyMake) {
   }
 }
 
-Kernel butterfly() {
+Kernel time_optimal(const std::string& text) {
   Kernel kernel(default_machine(), {.profile = {.kind = ProfileKind::time_optimal}});
-  kernel.feed(shipped_program("butterfly.ngc"));
+  kernel.feed(text);
   kernel.finish();
   return kernel;
 }
 
-// The shortest ways are those of bench/optima/shortest_stops: linear programs around a motion, from
-// the first tick that brakes.
-TEST(HoldSoon, OnACurveBrakesInHardlyMoreThanTheShortestWay) {
-  struct Hold {
-    std::size_t tick;
-    double shortest_mm;
-  };
-  Kernel free = butterfly();
+struct ShortestStop {
+  std::size_t tick;  // the hold's
+  double way_mm;     // from the first tick that brakes
+};
+
+void expect_hardly_more(const std::string& text, const std::vector<ShortestStop>& stops) {
+  Kernel free = time_optimal(text);
   const std::vector<Setpoint> whole = rest_of(free);
-  for (const Hold& hold : {Hold{2116, 1.1382}, Hold{3414, 3.6524}}) {
-    SCOPED_TRACE(hold.tick);
-    Kernel kernel = butterfly();
+  for (const ShortestStop& stop : stops) {
+    SCOPED_TRACE(stop.tick);
+    Kernel kernel = time_optimal(text);
     Setpoint setpoint;
     std::optional<double> begin_mm;
     TickStatus status = TickStatus::running;
     for (std::size_t tick = 0; status == TickStatus::running && tick < whole.size(); ++tick) {
-      if (tick == hold.tick) {
+      if (tick == stop.tick) {
         kernel.hold();
       }
       status = kernel.next(setpoint);
@@ -135,20 +134,53 @@ TEST(HoldSoon, OnACurveBrakesInHardlyMoreThanTheShortestWay) {
     }
     EXPECT_EQ(status, TickStatus::held);
     ASSERT_TRUE(begin_mm);
-    EXPECT_LE(setpoint.s_mm - *begin_mm, 1.04 * hold.shortest_mm);
+    EXPECT_LE(setpoint.s_mm - *begin_mm, 1.04 * stop.way_mm);
   }
+}
+
+// The shortest ways are those of bench/optima/shortest_stops: linear programs around a motion.
+TEST(HoldSoon, OnACurveBrakesInHardlyMoreThanTheShortestWay) {
+  expect_hardly_more(shipped_program("butterfly.ngc"), {{2116, 1.1382}, {3414, 3.6524}});
+}
+
+// Joints of lines and arcs, under G64: what the motion bears changes within a cell.
+TEST(HoldSoon, InARoundedPocketBrakesInHardlyMoreThanTheShortestWay) {
+  expect_hardly_more(R"(G21 G90 G64 P0.01 F6000
+G1 X8
+Y2
+G3 X5 Y5 I-3 J0
+G1 X-5
+G3 X-8 Y2 I0 J-3
+G1 Y-2
+G3 X-5 Y-5 I3 J0
+G1 X5
+G3 X8 Y-2 I0 J3
+G1 Y0
+X10.5
+Y4.5
+G3 X7.5 Y7.5 I-3 J0
+G1 X-7.5
+G3 X-10.5 Y4.5 I0 J-3
+G1 Y-4.5
+G3 X-7.5 Y-7.5 I3 J0
+G1 X7.5
+G3 X10.5 Y-4.5 I0 J3
+G1 Y0
+M2
+)",
+                     {{265, 4.9882}, {618, 4.2933}, {1175, 4.7732}});
 }
 
 // On the butterfly an axis rides on its limit of jerk there. The first other setpoint comes within
 // 20 ms.
 TEST(HoldSoon, BrakesSoonWhereAnAxisNeedsAllOfItsJerk) {
-  Kernel free = butterfly();
+  Kernel free = time_optimal(shipped_program("butterfly.ngc"));
   const std::vector<Setpoint> whole = rest_of(free);
   const PlannedPath path(default_machine(), {.profile = {.kind = ProfileKind::time_optimal}},
                          shipped_program("butterfly.ngc"));
   for (const std::size_t hold : {465U, 476U, 487U, 1609U, 2610U, 3072U, 3523U, 4073U}) {
     SCOPED_TRACE(hold);
-    Kernel kernel = butterfly();
+    Kernel kernel = time_optimal(shipped_program("butterfly.ngc"));
     TickChecker checker(default_machine().limits, true);
     const double feedrate_mm_s = default_machine().limits.path.velocity_mm_s;
     Setpoint setpoint;
