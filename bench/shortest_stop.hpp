@@ -16,11 +16,11 @@ struct PathState {
   double a_mm_s2 = 0.0;
 };
 
-// No way to rest along the path is shorter, but for the size of a step. At each step the lowest
-// jerk that all axes bear at the place, down to the lowest acceleration that they bear; from where
-// the highest jerk brings the motion to rest, that. Optimistic: jumps of direction and curvature
-// cost nothing, and where no jerk keeps all limits the path's own counts.
-// bench/optima/shortest_stops finds those that are.
+// A bound of the way to rest. At each step the lowest jerk that all axes bear at the place, down to
+// the lowest acceleration that they bear; from where the highest jerk brings the motion to rest,
+// that. Optimistic where that works: jumps of direction and curvature cost nothing. It is no bound
+// where the lowest jerk leads to a place at which no jerk keeps all limits: there the path's own
+// counts, and the motion may go on for long. bench/optima/shortest_stops finds those that are.
 double shortest_stop_mm(const test::PlannedPath& path, const PathState& from,
                         const MachineLimits& limits);
 
