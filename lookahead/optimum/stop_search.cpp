@@ -27,8 +27,6 @@ constexpr std::size_t kMinCells = 3;
 constexpr std::size_t kMaxCells = 256;
 constexpr double kCellsOfWay = 40.0;
 constexpr double kFineCellsOfWay = 64.0;
-// Of the first cell: a motion near a limit may bear the jerk that it has for no longer.
-constexpr std::array kPartsOfFirst{0.25, 0.25, 0.5};
 constexpr double kWorthDividing = 0.1;  // of the longest cell
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
@@ -48,16 +46,14 @@ void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
   cells = std::move(divided);
 }
 
+// A motion near a limit may bear the jerk that it has for less than a cell.
 void divide_first(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
   const Cell first = cells.front();
   if (first.length_mm < kWorthDividing * longest_mm) {
     return;
   }
-  std::vector<double> lengths;
-  for (const double part : kPartsOfFirst) {
-    lengths.push_back(part * first.length_mm);
-  }
-  const std::vector<Cell> parts = parts_of(first, lengths, path);
+  const double quarter_mm = 0.25 * first.length_mm;
+  const std::vector<Cell> parts = parts_of(first, {quarter_mm, quarter_mm, 2.0 * quarter_mm}, path);
   cells.erase(cells.begin());
   cells.insert(cells.begin(), parts.begin(), parts.end());
 }
