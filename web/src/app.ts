@@ -94,12 +94,13 @@ export class App {
   // Of the plan that is shown, as long as its times are not there.
   showProgress(progress: Progress): void {
     this.answer.showProgress(progress);
-    this.program.showLines(progress.lines);
+    this.program.showLines(progress);
   }
 
   // They will not come.
   showNoTimes(): void {
     this.answer.showProgress("none");
+    this.program.expectNothing();
   }
 
   private get plan(): Plan {

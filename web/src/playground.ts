@@ -176,15 +176,18 @@ class Playground implements PlanSource {
     // What is typed by then has made it an older one, whose text is not to take the place of that.
     const isPresent = (): boolean => order === this.order;
     let isPathShown = false;
+    let soFar: Progress | null = null;
     const answer = await this.kernel.plan(order, {
       showPath: (plan) => {
         if (!isPresent()) return;
         isPathShown = true;
         this.renew(null);
         this.tell({ plans: [plan], base: 0 });
+        if (soFar) this.onProgress(soFar);
       },
       showProgress: (progress) => {
         if (!isPresent()) return;
+        soFar = progress;
         this.progress.textContent = `up to line ${progress.line}`;
         if (isPathShown) this.onProgress(progress);
       },

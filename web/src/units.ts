@@ -62,6 +62,12 @@ export function shortTime(seconds: number): string {
   return seconds < 59.95 ? seconds.toFixed(1) : clock(Math.max(60, seconds), 0); // what rounds to a minute is one
 }
 
+// The same of an estimate, with no digits that it does not have: "\u22480.035", "\u224812", "\u22482:03".
+export function roughTime(seconds: number): string {
+  const decimals = seconds < 0.0995 ? 3 : seconds < 0.995 ? 2 : seconds < 9.95 ? 1 : 0;
+  return `\u2248${seconds < 59.5 ? seconds.toFixed(decimals) : clock(Math.max(60, seconds), 0)}`;
+}
+
 // "+0.250 s, 4.81 %"; nothing where both are the same.
 export function difference(base_s: number, other_s: number): string {
   const more_s = other_s - base_s;

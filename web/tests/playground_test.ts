@@ -56,6 +56,12 @@ test("the text may be deleted and another one typed", async () => {
 test("the path of a program that takes long to plan is there before its times", async () => {
   let estimate_s = 0;
   let early: string[] = [];
+  let expected: string[] = [];
+  const scrolled = (share: number): Promise<void> =>
+    page.locator(".program-view .cm-scroller").evaluate(async (element, share) => {
+      element.scrollTop = share * element.scrollHeight;
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    }, share);
   const timesShown = (): Promise<string[]> => page.locator(".program-view .cm-time").allTextContents();
   const lines = Array.from({ length: 5000 }, (_, i) => `G1 X${(80 * Math.sin(i * i)).toFixed(3)} Y${(60 * Math.cos(3 * i * i)).toFixed(3)}`);
   await after_(async () => {
@@ -69,6 +75,9 @@ test("the path of a program that takes long to plan is there before its times", 
     await page.waitForFunction(() => /up to line \d{2,}$/.test(document.querySelector("[data-test=so-far]")?.textContent ?? ""), null, { timeout: 60_000 });
     estimate_s = secondsOf((await page.locator("[data-test=estimate]").textContent() ?? "").replace(/^about /, ""));
     early = await timesShown();
+    await scrolled(1);
+    expected = (await timesShown()).slice(-20);
+    await scrolled(0);
   });
   assert.equal(await page.locator("[data-test=planning]").count(), 0);
   const whole_s = timeOf(join(folder, "corners.ngc"));
@@ -77,6 +86,14 @@ test("the path of a program that takes long to plan is there before its times", 
   // The lines that are seen are the first ones: what was said of them stays true.
   assert.ok(early.length > 10);
   assert.deepEqual(early, (await timesShown()).slice(0, early.length));
+  // The last ones had an estimate, which is called one.
+  await scrolled(1);
+  const last = (await timesShown()).slice(-20);
+  const sumOf = (times: string[]): number => times.reduce((sum, time) => sum + secondsOf(time.replace("≈", "")), 0);
+  assert.equal(expected.length, 20);
+  assert.ok(expected.every((time) => time.startsWith("≈")), expected.join(" "));
+  assert.ok(!last.some((time) => time.startsWith("≈")), last.join(" "));
+  assert.ok(Math.abs(sumOf(expected) - sumOf(last)) < 0.2 * sumOf(last), `${expected.join(" ")} for ${last.join(" ")}`);
 });
 
 test("another profile and another machine take their own time", async () => {

@@ -24,6 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kMagic = "KERFPLAN";
 constexpr double kPathUnit_mm = 1e-6;
+constexpr double kTimeUnit_s = 1e-6;
 
 Json number_or_null(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -159,6 +160,20 @@ void add_runs(Json& header, Sections& sections, const MotionRuns& motion) {
   sections.add_bytes("runs.kind", kinds);
 }
 
+void add_nominal_lines(Sections& sections, const std::vector<double>& seconds) {
+  std::vector<std::uint32_t> lines;
+  for (std::uint32_t line = 0; line < seconds.size(); ++line) {
+    if (seconds[line] > 0.0) {
+      lines.push_back(line);
+    }
+  }
+  sections.add_numbers({"nominal.line"}, lines,
+                       [](std::uint32_t line) { return std::int64_t{line}; });
+  sections.add_numbers({"nominal.s", kTimeUnit_s}, lines, [&seconds](std::uint32_t line) {
+    return std::llround(seconds[line] / kTimeUnit_s);
+  });
+}
+
 void add_codes(Json& header, Sections& sections, const std::string& name, const CodeRuns& codes) {
   header[name] = codes.texts();
   sections.add_numbers({name + ".tick"}, codes.runs(), [](const CodeRun& run) { return run.tick; });
@@ -242,6 +257,9 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
   }
   if (!record.motion && record.planned) {
     add_path(header, sections, record.planned->outline());
+  }
+  if (!record.motion && record.nominal) {
+    add_nominal_lines(sections, record.nominal->seconds());
   }
   if (record.source) {
     add_source(sections, *record.source);

@@ -12,6 +12,7 @@
 
 #include "programs/kerf/page/code_runs.hpp"
 #include "programs/kerf/page/motion_runs.hpp"
+#include "programs/kerf/page/nominal_lines.hpp"
 #include "programs/kerf/page/planned_path.hpp"
 #include "programs/kerf/page/tick_columns.hpp"
 #include "programs/kerf/page/timed_path.hpp"
@@ -77,6 +78,7 @@ struct PageRecord {
   std::optional<std::string> source{};       // none: not wanted, or longer than kMaxSourceBytes
   std::optional<curves::Extents> extents{};  // of the path, also of one that leaves the travel
   std::optional<PlannedPath> planned{};      // before the motion, or of what is not to move
+  std::optional<NominalLines> nominal{};     // of that path, where show_path wants it
   std::optional<PlanGatherer> motion{};      // none: nothing has moved
 
   static constexpr std::uint64_t kMaxSourceBytes = std::uint64_t{256} << 20U;

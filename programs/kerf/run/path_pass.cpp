@@ -1,5 +1,6 @@
 #include "programs/kerf/run/path_pass.hpp"
 
+#include <utility>
 #include <variant>
 
 #include "kernel/program_path.hpp"
@@ -22,14 +23,19 @@ MachineSettings without_travel(MachineSettings settings) {
 void path_pass(ProgramFile& file, const MachineSettings& settings, const KernelOptions& options,
                PageRecord& page) {
   PlannedPath& planned = page.planned.emplace(page.extents.value_or(curves::Extents{}));
+  NominalLines nominal(settings.limits);
   ProgramPath path(without_travel(settings), options, {});
   // A file that cannot be read any more ends the path there.
-  static_cast<void>(walk_path(file, path, [&planned](const ProgramPath::Output& output) {
+  static_cast<void>(walk_path(file, path, [&](const ProgramPath::Output& output) {
+    std::visit([&nominal](const auto& part) { nominal.add(part); }, output);
     if (const auto* segment = std::get_if<smoothing::PathSegment>(&output)) {
       planned.add(*segment);
     }
     return true;
   }));
+  if (page.show_path) {
+    page.nominal = std::move(nominal);
+  }
 }
 
 }  // namespace kerf::program

@@ -10,7 +10,7 @@
 namespace kerf::program {
 
 // Of the rewound file, which has passed its check but for the travel: PageRecord::planned, also
-// where it leaves the travel.
+// where it leaves the travel, and nominal.
 void path_pass(ProgramFile& file, const MachineSettings& settings, const KernelOptions& options,
                PageRecord& page);
 

@@ -27,6 +27,12 @@ export interface Path {
 
 export const lastPart = (path: string): string => path.split("/").pop() ?? path;
 
+// About how long lines take of a program whose times are not planned yet, with what they say alone.
+export interface Nominal {
+  readonly line: Float64Array; // in order
+  readonly seconds: Float64Array;
+}
+
 export type Quantity = "v" | "a" | "j";
 
 // The last i with values[i] <= value; -1: none.
@@ -126,6 +132,12 @@ export class Plan {
   // "path", "x", "y", ...
   get tracks(): string[] {
     return ["path", ...this.header.machine.axes.map((axis) => axis.name)];
+  }
+
+  // Of a plan that is on its way; of others empty.
+  get nominal(): Nominal {
+    const of = (name: string): Float64Array => this.decoded.numbers.get(name) ?? new Float64Array();
+    return { line: of("nominal.line"), seconds: of("nominal.s") };
   }
 
   unitOf(track: string): "mm" | "deg" {

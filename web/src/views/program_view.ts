@@ -2,11 +2,13 @@
 import { EditorState, type Extension, type StateEffect, type Text, type TransactionSpec } from "@codemirror/state";
 import { EditorView, gutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
-import type { LineNumbers } from "../plan/by_line.ts";
+import { ByLine, type LineNumbers } from "../plan/by_line.ts";
+import { expectedLines } from "../plan/expected_lines.ts";
 import type { Plan } from "../plan/plan.ts";
+import type { Progress } from "../plan/source.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
-import { shortTime } from "../units.ts";
+import { roughTime, shortTime } from "../units.ts";
 import { LineFollower } from "./line_follower.ts";
 import { linesOf, plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
 import { TimeMarker, activeLine, diagnostics, look, setLine, setTimes } from "./program_marks.ts";
@@ -31,6 +33,7 @@ export class ProgramView {
   private written: { readonly state: EditorState; readonly scroll: StateEffect<unknown> } | null = null; // while another text is looked at
   private plan: Plan | null = null;
   private account: Account | null = null;
+  private expected: LineNumbers = new ByLine(0); // ticks of lines that are not planned yet
   private readonly follower = new LineFollower(() => this.showInstant(true));
   private longest = 1; // ticks of the line that takes longest
   private readonly store: Store;
@@ -52,7 +55,8 @@ export class ProgramView {
   show(plan: Plan, account: Account): void {
     this.plan = plan;
     this.account = account;
-    this.findLongest(account.lines);
+    this.expected = new ByLine(0);
+    this.findLongest();
     this.host.hidden = plan.source === null;
     this.message.hidden = plan.source !== null;
     if (this.view && this.editing) this.turnTo(plan.source ?? "");
@@ -116,17 +120,26 @@ export class ProgramView {
     this.showInstant(this.editing === null || this.root.activeElement === null);
   }
 
-  // The ticks of some lines of a plan that is on its way.
-  showLines(lines: LineNumbers): void {
+  // The ticks of some lines of a plan that is on its way, and what the others are expected to take.
+  showLines(progress: Progress): void {
     if (!this.plan || !this.account) return;
-    this.account = { ...this.account, lines };
-    this.findLongest(lines);
+    this.account = { ...this.account, lines: progress.lines };
+    this.expect(expectedLines(this.plan, progress));
+  }
+
+  expectNothing(): void {
+    this.expect(new ByLine(0));
+  }
+
+  private expect(lines: LineNumbers): void {
+    this.expected = lines;
+    this.findLongest();
     this.view?.dispatch({ effects: setTimes.of(null) });
   }
 
-  private findLongest(lines: LineNumbers): void {
+  private findLongest(): void {
     this.longest = 1;
-    lines.forEach((ticks) => (this.longest = Math.max(this.longest, ticks)));
+    for (const lines of [this.account?.lines, this.expected]) lines?.forEach((ticks) => (this.longest = Math.max(this.longest, ticks)));
   }
 
   private stateOf(doc: Text, isWritten: boolean): EditorState {
@@ -162,8 +175,12 @@ export class ProgramView {
   }
 
   private marker(line: number): TimeMarker | null {
-    const ticks = this.account?.lines.get(this.lines?.plannedOf(line) ?? 0) ?? 0;
-    return ticks === 0 ? null : new TimeMarker(shortTime(ticks * this.plan!.period_s), ticks / this.longest);
+    const planned = this.lines?.plannedOf(line) ?? 0;
+    const known = this.account?.lines.get(planned);
+    const ticks = known ?? this.expected.get(planned) ?? 0;
+    if (ticks === 0) return null;
+    const seconds = ticks * this.plan!.period_s;
+    return new TimeMarker(known === undefined ? roughTime(seconds) : shortTime(seconds), ticks / this.longest);
   }
 
   // The next line, in that direction, that takes time.
