@@ -174,6 +174,16 @@ void add_nominal_lines(Sections& sections, const std::vector<double>& seconds) {
   });
 }
 
+// What is known before the motion.
+void add_planned(Json& header, Sections& sections, const PageRecord& record) {
+  if (record.planned) {
+    add_path(header, sections, record.planned->outline());
+  }
+  if (record.nominal) {
+    add_nominal_lines(sections, record.nominal->seconds());
+  }
+}
+
 void add_codes(Json& header, Sections& sections, const std::string& name, const CodeRuns& codes) {
   header[name] = codes.texts();
   sections.add_numbers({name + ".tick"}, codes.runs(), [](const CodeRun& run) { return run.tick; });
@@ -255,11 +265,8 @@ std::string plan_document(const FileReport& report, const MachineSettings& setti
     add_codes(header, sections, "words", record.motion->words());
     header["messages"] = record.quotes_text ? messages_json(*record.motion) : Json::array();
   }
-  if (!record.motion && record.planned) {
-    add_path(header, sections, record.planned->outline());
-  }
-  if (!record.motion && record.nominal) {
-    add_nominal_lines(sections, record.nominal->seconds());
+  if (!record.motion) {
+    add_planned(header, sections, record);
   }
   if (record.source) {
     add_source(sections, *record.source);
