@@ -1,11 +1,9 @@
-// Who writes in the playground: what stays where it is, what is said of a run that is no more of the text, and what opens a file.
+// Who writes in the playground: what stays where it is, and what is said of a run that is no more of the text.
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import type { JSHandle } from "playwright-core";
-import { clock } from "../src/units.ts";
-import { SOURCE, after_, caretTo, choose, compare, dist, folder, newPage, open, page, planned, program, said, shownTime, slowProgram, status, timeOf, written } from "./playground.ts";
+import { SOURCE, after_, caretTo, choose, compare, dist, newPage, open, page, planned, program, said, slowProgram, timesOfLines, written } from "./playground.ts";
 
 const pocket = join(SOURCE, "programs", "pocket.ngc");
 const wrongMachine = (): Promise<void> => open("Open a machine file", program("[path]\nmax_velocty_mm_s = 5\n", "wrong.toml"));
@@ -108,25 +106,19 @@ test("a run that is on its way is no run to compare with yet", async () => {
 });
 
 // Of each line that is seen; empty: it has none.
-const times = (): Promise<string[]> =>
-  page.locator(".program-view .cm-line").evaluateAll((lines) => {
-    const marks = [...lines[0]!.closest(".cm-scroller")!.querySelectorAll(".cm-times .cm-gutterElement")].filter((one) => getComputedStyle(one).visibility !== "hidden");
-    const top = (element: Element): number => element.getBoundingClientRect().top;
-    return lines.map((line) => marks.find((one) => Math.abs(top(one) - top(line)) < 3)?.textContent ?? "");
-  });
 const older = (): Promise<boolean> => page.locator(".older-note").isVisible();
 
 test("what is shown is marked as of the run before as long as no other takes its place, and the times of lines move with the text", async () => {
   await open("Open a program", program("G1 F600 X10\nX20\nX40\nM2\n", "lines.ngc"));
   assert.equal(await older(), false);
   await caretTo();
-  const [one, two, three] = (await times()) as [string, string, string];
+  const [one, two, three] = (await timesOfLines()) as [string, string, string];
   await wrongMachine();
   await settled(500);
   assert.equal(await older(), true);
   await caretTo("Control+Home", "End");
   await after_(() => page.keyboard.type("\nX15"));
-  assert.deepEqual((await times()).slice(0, 4), [one, "", two, three]);
+  assert.deepEqual((await timesOfLines()).slice(0, 4), [one, "", two, three]);
   await page.locator(".scrub").evaluate((input) => {
     (input as HTMLInputElement).value = (input as HTMLInputElement).max;
     input.dispatchEvent(new Event("input"));
@@ -135,83 +127,7 @@ test("what is shown is marked as of the run before as long as no other takes its
   assert.equal(await page.locator(".cm-now").textContent(), "M2");
   await rightMachine();
   assert.equal(await older(), false);
-  assert.notEqual((await times())[1], "");
-});
-
-test("a program that is opened beside a faulty machine file is the one that is written on", async () => {
-  await wrongMachine();
-  await open("Open a program", program("G1 F600 X5\nM2\n", "other.ngc"));
-  assert.equal(await written(), "G1 F600 X5");
-  assert.equal((await times()).join(""), "", "no times of the program before");
-  await rightMachine();
-  assert.equal(await shownTime(), clock(timeOf(join(folder, "other.ngc"))));
-});
-
-// Files as they are dropped on a part of the page; says whether the page has taken them from the browser.
-async function drop(on: string, files: readonly (readonly [name: string, text: string])[]): Promise<boolean> {
-  const data: JSHandle<DataTransfer> = await page.evaluateHandle((all) => {
-    const transfer = new DataTransfer();
-    for (const [name, text] of all) transfer.items.add(new File([text], name));
-    return transfer;
-  }, files);
-  return page.locator(on).first().evaluate((element, dataTransfer) => {
-    const event = (name: string): DragEvent => new DragEvent(name, { dataTransfer, bubbles: true, composed: true, cancelable: true });
-    return !element.dispatchEvent(event("dragover")) && !element.dispatchEvent(event("drop"));
-  }, data);
-}
-
-test("files that are dropped anywhere are opened as by the button", async () => {
-  for (const on of [".strip", ".path-view", ".program-view .cm-content"]) {
-    await open("Open a program", program("G1 F600 X7\nM2\n", "there.ngc"));
-    await after_(async () => assert.equal(await drop(on, [["line.ngc", "o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n"], ["calls.ngc", "o<line> call [7]\nM2\n"]]), true, on));
-    assert.equal(await written(), "o<line> call [7]");
-    assert.equal(await page.locator("h1").textContent(), "calls.ngc");
-  }
-  const slow = "[path]\nmax_velocity_mm_s = 5\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1000\n";
-  await after_(() => drop(".strip", [["dropped.toml", slow]]));
-  assert.match((await page.locator(".what").textContent()) ?? "", /^dropped\.toml/);
-  assert.equal(await written(), "o<line> call [7]");
-  await rightMachine();
-});
-
-test("leaving asks where something was written, and only there", async () => {
-  const asks = (): Promise<boolean> => page.evaluate(() => !window.dispatchEvent(new Event("beforeunload", { cancelable: true })));
-  await open("Open a program", program("G1 F600 X10\nM2\n", "left.ngc"));
-  assert.equal(await asks(), false);
-  await caretTo("Control+Home");
-  await after_(() => page.keyboard.type("(1)"));
-  assert.equal(await asks(), true);
-  await after_(() => page.keyboard.press("Control+z"));
-  assert.equal(await asks(), false);
-});
-
-test("another program in place of what was written can be undone, with its name and its subprograms", async () => {
-  const main = program("o<line> call [7]\nM2\n", "main.ngc");
-  await open("Open a program", main, program("o<line> sub\nG1 F300 X#1\no<line> endsub\nM2\n", "line.ngc"));
-  const time = await shownTime();
-  await after_(() => choose("Example program", "star.ngc"));
-  assert.notEqual(await shownTime(), time);
-  await caretTo();
-  await after_(() => page.keyboard.press("Control+z"));
-  assert.equal(await written(), "o<line> call [7]");
-  assert.equal(await page.locator("h1").textContent(), "main.ngc");
-  assert.equal(await shownTime(), time);
-});
-
-test("from the keyboard an example is opened by Enter, by no arrow key", async () => {
-  await open("Open a program", program("G1 F600 X10\nM2\n", "keys.ngc"));
-  await page.locator('[aria-label="Example program"]').focus();
-  await page.keyboard.press("ArrowDown");
-  await settled();
-  assert.equal(await written(), "G1 F600 X10");
-  await page.keyboard.press("Enter");
-  await page.keyboard.press("Tab");
-  await page.keyboard.press("Tab");
-  await after_(() => page.keyboard.press("Enter"));
-  assert.equal(await page.locator("h1").textContent(), "butterfly.ngc");
-  await page.keyboard.press("Enter");
-  await page.keyboard.press("Escape");
-  assert.equal(await page.locator(".menu-list:visible").count(), 0);
+  assert.notEqual((await timesOfLines())[1], "");
 });
 
 test("the instant goes with the caret that a key takes to another line", async () => {
@@ -277,43 +193,6 @@ test("what the charts show stays where the same program is planned anew", async 
   assert.equal(await span(), null, "another program is seen as a whole");
 });
 
-test("a file that cannot be read is told until another is chosen, whatever is planned meanwhile", async () => {
-  const input = page.locator('input[aria-label^="Open a program"]');
-  const isTold = (): Promise<boolean> => page.evaluate(() => document.querySelector(".refusal")?.textContent === "gone.ngc cannot be read: it is gone");
-  await open("Open a program", program("M2\n", "there.ngc"));
-  await input.setInputFiles(slowProgram("meanwhile.ngc"));
-  await page.waitForFunction(() => document.querySelector("[data-test=status]")?.textContent === "planning\u2026");
-  await page.evaluate(() => {
-    const { text } = Blob.prototype;
-    Blob.prototype.text = () => {
-      Blob.prototype.text = text;
-      return Promise.reject(new Error("it is gone"));
-    };
-  });
-  await input.setInputFiles(program("M2\n", "gone.ngc"));
-  await page.locator(".refusal:visible").waitFor();
-  assert.ok(await isTold());
-  assert.match(await status(), /^planning/);
-  await planned();
-  assert.ok(await isTold());
-  await open("Open a program", program("M2\n", "found.ngc"));
-  assert.equal(await page.locator(".refusal:visible").count(), 0);
-});
-
-test("a machine file that cannot be read is told beside a program that can", async () => {
-  await page.evaluate(() => {
-    const { text } = Blob.prototype;
-    Blob.prototype.text = function (this: File) {
-      return this.name === "gone.toml" ? Promise.reject(new Error("it is gone")) : text.call(this);
-    };
-  });
-  await page.locator('input[aria-label^="Open a machine"]').setInputFiles(program("", "gone.toml"));
-  await open("Open a program", program("G1 F600 X10\nM2\n", "beside.ngc"));
-  assert.equal(await page.locator(".refusal:visible").textContent(), "gone.toml cannot be read: it is gone");
-  await after_(() => choose("Example machine", "table.toml"));
-  assert.equal(await page.locator(".refusal:visible").count(), 0);
-});
-
 test("a kernel that fails after the path is shown leaves no time on its way", async () => {
   const other = await newPage();
   await other.addInitScript(() => {
@@ -330,8 +209,12 @@ test("a kernel that fails after the path is shown leaves no time on its way", as
   const estimate = other.locator("[data-test=estimate]");
   await other.locator('input[aria-label^="Open a program"]').setInputFiles(slowProgram("fails.ngc"));
   await estimate.waitFor();
+  const expected = other.locator(".program-view .cm-time", { hasText: "\u2248" });
+  await other.locator(".program-view .cm-scroller").evaluate((element) => (element.scrollTop = element.scrollHeight));
+  await expected.first().waitFor();
   await other.evaluate(() => (window as unknown as { fail: () => void }).fail());
   assert.equal(await estimate.textContent(), "not planned");
+  assert.equal(await expected.count(), 0);
   assert.equal(await other.locator(".refusal").textContent(), "The kernel has failed: out of memory");
   await other.locator("button", { hasText: "inch" }).click();
   assert.equal(await estimate.textContent(), "not planned");
