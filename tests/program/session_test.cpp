@@ -80,8 +80,8 @@ TEST(PartOfARun, HasItsTicksAloneAndEndsAfterThem) {
   ASSERT_EQ(part.columns().columns(), 200U);
   ASSERT_EQ(part.columns().series().size(), whole.columns().series().size());
   for (std::size_t i = 0; i < part.columns().series().size(); ++i) {
-    const auto& all = whole.columns().series()[i].max;
-    EXPECT_EQ(part.columns().series()[i].max, std::vector(all.begin() + 900, all.begin() + 1100));
+    const auto& all = whole.columns().series()[i].min;
+    EXPECT_EQ(part.columns().series()[i].min, std::vector(all.begin() + 900, all.begin() + 1100));
   }
 }
 

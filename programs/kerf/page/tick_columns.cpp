@@ -27,7 +27,9 @@ TickColumns::TickColumns(const Settings& settings)
 
 void TickColumns::take(ColumnSeries& into, double value) const {
   const auto figure = static_cast<float>(value);
-  if (opens_column_) {
+  if (ticks_per_column_ == 1) {
+    into.min.push_back(figure);
+  } else if (opens_column_) {
     into.min.push_back(figure);
     into.max.push_back(figure);
   } else {
@@ -97,8 +99,10 @@ void TickColumns::take_tick(const TickRecord& record, std::int64_t number) {
 }
 
 void TickColumns::halve() {
-  ticks_per_column_ *= 2;
   for (ColumnSeries& series : series_) {
+    if (ticks_per_column_ == 1) {
+      series.max = series.min;
+    }
     const std::size_t half = series.min.size() / 2;
     for (std::size_t i = 0; i < half; ++i) {
       series.min[i] = std::min(series.min[2 * i], series.min[2 * i + 1]);
@@ -107,6 +111,7 @@ void TickColumns::halve() {
     series.min.resize(half);
     series.max.resize(half);
   }
+  ticks_per_column_ *= 2;
   const std::size_t half = limits_.size() / 2;
   for (std::size_t i = 0; i < half; ++i) {
     const LimitShare& a = limits_[2 * i];

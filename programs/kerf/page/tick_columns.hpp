@@ -13,7 +13,8 @@
 
 namespace kerf::program {
 
-// Smallest and largest value of each column, in the order of time.
+// Smallest and largest value of each column, in the order of time. Where a column is a tick, max is
+// empty.
 struct ColumnSeries {
   std::vector<float> min;
   std::vector<float> max;
