@@ -92,6 +92,23 @@ for (const [what, files] of [
   });
 }
 
+test("a view that is being turned stays in the hand while the times of its path come", async () => {
+  await open("Open a program", pocket);
+  const view = (): string | null => new URLSearchParams(new URL(page.url()).hash.slice(1)).get("view");
+  const { x, y, width, height } = (await page.locator(".path-view canvas").first().boundingBox())!;
+  await after_(async () => {
+    await page.locator('input[aria-label^="Open a program"]').setInputFiles(slowProgram("turned.ngc"));
+    await page.locator("[data-test=planning]").waitFor({ timeout: 60_000 });
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + width / 2 + 80, y + height / 2 + 30, { steps: 4 });
+  });
+  assert.equal(view(), null, "the hand has not let go");
+  await page.mouse.up();
+  await settled();
+  assert.match(view() ?? "", /\d/, "the view is the one that was turned to");
+});
+
 test("a run that is on its way is no run to compare with yet", async () => {
   const isDisabled = (): Promise<string | null> => page.locator("button", { hasText: "compare with this run" }).getAttribute("aria-disabled");
   await after_(async () => {
@@ -105,7 +122,6 @@ test("a run that is on its way is no run to compare with yet", async () => {
   assert.equal(await isDisabled(), "false");
 });
 
-// Of each line that is seen; empty: it has none.
 const older = (): Promise<boolean> => page.locator(".older-note").isVisible();
 
 test("what is shown is marked as of the run before as long as no other takes its place, and the times of lines move with the text", async () => {

@@ -83,6 +83,7 @@ export class PathCamera {
   private box: Box = { min: [0, 0, 0], max: [0, 0, 0] }; // of what is to be seen
   private reach = 4; // farther than anything that is drawn
   private isFitted = false; // and no hand has moved it
+  private isHeld = false; // by a hand that moves it now
   private isToFit = false; // once the view has a size
   private readonly element: HTMLElement;
   private readonly settled: () => void;
@@ -98,8 +99,14 @@ export class PathCamera {
     this.controls.zoomToCursor = true;
     this.controls.screenSpacePanning = true;
     this.controls.addEventListener("change", changed);
-    this.controls.addEventListener("start", () => (this.isFitted = false));
-    this.controls.addEventListener("end", settled);
+    this.controls.addEventListener("start", () => {
+      this.isHeld = true;
+      this.isFitted = false;
+    });
+    this.controls.addEventListener("end", () => {
+      this.isHeld = false;
+      settled();
+    });
   }
 
   // all: whatever is drawn beside it.
@@ -175,8 +182,10 @@ export class PathCamera {
     this.update();
   }
 
-  // From the fragment; a fitted view from above, of what is flat, or from a corner where it says nothing that is one.
+  // From the fragment; a fitted view from above, of what is flat, or from a corner where it says nothing that is one. A view
+  // that is being turned stays in the hand.
   restore(text: string): void {
+    if (this.isHeld) return;
     const found = viewOf(text);
     if (!found) {
       this.turnTo(this.usualSide);
