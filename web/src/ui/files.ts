@@ -32,7 +32,7 @@ export function opener(label: string, several: boolean, taker: FileTaker): HTMLE
     input.value = "";
     void hand(chosen, taker);
   });
-  return h("span", {}, input, h("button", { type: "button", title: label, click: () => input.click() }, "open\u2026"));
+  return h("span", {}, input, h("button", { type: "button", title: label, "aria-label": label, click: () => input.click() }, "open\u2026"));
 }
 
 // Files that are dropped anywhere on the page: the browser would leave it for them, and an editor put them into its text.

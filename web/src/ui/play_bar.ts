@@ -53,6 +53,7 @@ export class PlayBar {
     if (!this.plan.motion) {
       this.instant.textContent = "";
       delete this.instant.dataset["tick"];
+      this.scrub.removeAttribute("aria-valuetext");
       return;
     }
     const tick = this.store.instant;
