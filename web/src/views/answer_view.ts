@@ -95,7 +95,8 @@ export class AnswerView {
       const failed = this.card("Does not run", "failed", h("div", { class: "big bad" }, errorCount(messages)), h("div", { class: "soft" }, messages.first));
       return plan.header.extents ? [failed, this.fitCard()] : [failed];
     }
-    return [plan.endsEarly ? this.earlyEndCard() : this.timeCard(), this.fitCard(), this.limitsCard(), this.exactCard(), this.linesCard()].filter((card): card is HTMLElement => card !== null);
+    const figures = plan.header.report.max ? [this.limitsCard(), this.exactCard()] : [];
+    return [plan.endsEarly ? this.earlyEndCard() : this.timeCard(), this.fitCard(), ...figures, this.linesCard()].filter((card): card is HTMLElement => card !== null);
   }
 
   private waitingCard(): HTMLElement {
@@ -154,7 +155,7 @@ export class AnswerView {
     const line = this.plan!.header.report.speed_limits_of_lines?.[0];
     if (!line) return null;
     const key = Object.keys(line.limits)[0] ?? "";
-    const share = line.time_s / Math.max(this.plan!.header.report.cycle_time_s ?? 1, 1e-9);
+    const share = line.time_s / (this.plan!.motion!.lastTick * this.plan!.period_s);
     return this.card("Costs most", "slowest", h("div", { class: "big" }, this.lineButton(line.line)), h("div", { class: "soft rows" }, h("div", {}, `${clock(line.time_s)}, ${percent(share)} of the time`), h("div", {}, `mostly ${key.replaceAll("_", " ")}`), h("div", {}, remedyOf(key))));
   }
 
@@ -175,22 +176,32 @@ export class AnswerView {
       if (plan.header.extents) addOffsets();
       return parts;
     }
-    add("Five lines that cost most", this.linesTable());
+    if (report.speed_limits_of_lines?.length) add("Lines that cost most", this.linesTable());
     add("What limits the feed", this.constraintsTable());
     const tools = toolsOf(report);
     const operations = operationsOf(report);
     if (tools.length > 1 || splitOf(report).toolChange > 0) add("By tool", this.partsTable("tool", tools));
     if (operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", operations));
     addOffsets();
-    add("Largest figures", this.usesTable());
-    add("The plan", table(["", ""], [["program", report.file], ["machine", report.machine], ["profile", report.profile], ...(report.feed_override === 1 ? [] : [["feed override", `${plain(100 * report.feed_override)} %`]]), ["path", `${lengthText(report.path_length_mm ?? 0, units)} ${lengthUnit(units)} in ${report.blocks ?? 0} blocks`], ["ticks", `${report.ticks ?? 0} of ${plain(1000 * plan.period_s)} ms`]], "plan"));
+    if (report.max) add("Largest figures", this.usesTable());
+    add("The plan", this.planTable());
     return parts;
+  }
+
+  private planTable(): HTMLElement {
+    const { report } = this.plan!.header;
+    const { units } = this.store.state;
+    const rows = [["program", report.file], ["machine", report.machine], ["profile", report.profile]];
+    if (report.feed_override !== 1) rows.push(["feed override", `${plain(100 * report.feed_override)} %`]);
+    if (report.path_length_mm !== undefined) rows.push(["path", `${lengthText(report.path_length_mm, units)} ${lengthUnit(units)} in ${report.blocks} blocks`]);
+    if (report.ticks !== undefined) rows.push(["ticks", `${report.ticks} of ${plain(1000 * this.plan!.period_s)} ms`]);
+    return table(["", ""], rows, "plan");
   }
 
   // Each with its difference from the base.
   private othersTable(): HTMLElement {
     const { plans, base } = this.shown!;
-    const names = numbered(plans.map(nameOf), plans.map((plan) => `${nameOf(plan)}, ${plan.header.report.machine}`));
+    const names = this.shown!.names ?? numbered(plans.map(nameOf), plans.map((plan) => `${nameOf(plan)}, ${plan.header.report.machine}`));
     return table(
       ["program", "machine", "time", "difference"],
       plans.map((plan, i) => {
