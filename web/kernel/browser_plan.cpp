@@ -22,11 +22,16 @@ std::string kerf::program::run_machine(MotionStage& stage, Driver& /*driver*/) {
   return {};
 }
 
-// To the worker: of each line that is planned since the last call its number and its ticks; all
-// ticks so far, and how long the rest will take, or less than 0.
+// To the worker: of each run of a line that has ended since the last call the line and its ticks;
+// the line that is run now, all ticks and the length of the path so far, and how long the rest will
+// take, or less than 0.
 EM_JS(void, tell_progress,
-      (const std::uint32_t* lines, std::size_t count, double ticks, double left_s),
-      { Module["told"](HEAPU32.slice(lines >> 2, (lines >> 2) + count), ticks, left_s); });
+      (const std::uint32_t* runs, std::size_t count, std::uint32_t line, double ticks,
+       double path_mm, double left_s),
+      {
+        Module["told"](
+            {lines : HEAPU32.slice(runs >> 2, (runs >> 2) + count), line, ticks, path_mm, left_s});
+      });
 
 // What there is of the plan before its times: a plan document.
 EM_JS(void, tell_path, (const char* document, std::size_t bytes),
@@ -81,7 +86,8 @@ class ProgressTeller {
       lines.push_back(run.line);
       lines.push_back(static_cast<std::uint32_t>(runs[told_runs_ + 1].tick - run.tick));
     }
-    tell_progress(lines.data(), lines.size(), static_cast<double>(gathered.last_tick()),
+    tell_progress(lines.data(), lines.size(), runs.empty() ? 0 : runs.back().line,
+                  static_cast<double>(gathered.last_tick()), gathered.path_mm(),
                   kernel.left_s().value_or(-1.0));
   }
 

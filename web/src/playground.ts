@@ -188,7 +188,7 @@ class Playground implements PlanSource {
       showProgress: (progress) => {
         if (!isPresent()) return;
         soFar = progress;
-        this.progress.textContent = `up to line ${progress.line}`;
+        this.progress.textContent = progress.line > 0 ? `up to line ${progress.line}` : "";
         if (isPathShown) this.onProgress(progress);
       },
     });

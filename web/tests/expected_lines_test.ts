@@ -1,26 +1,38 @@
-// What is said of lines that are not planned yet.
+// What is said of the lines of a plan that is on its way.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { expectedLines } from "../src/plan/expected_lines.ts";
+import { ExpectedLines } from "../src/plan/expected_lines.ts";
 import type { Plan } from "../src/plan/plan.ts";
 import { roughTime } from "../src/units.ts";
 
-// Lines 2, 3 and 5 with 1, 2 and 3 s by their feedrates.
-const plan = { period_s: 0.001, nominal: { line: Float64Array.of(2, 3, 5), seconds: Float64Array.of(1, 2, 3) } } as unknown as Plan;
-const expected = (known: [number, number][], left_s: number | null): [number, number][] => {
+// Of a line its number, its seconds by feedrate, where along the path it ends.
+type Line = [line: number, seconds: number, end_mm: number];
+function expected(lines: Line[], known: [line: number, ticks: number][], path_mm: number, left_s: number | null): [line: number, ticks: number][] {
+  const column = (k: 0 | 1 | 2): Float64Array => Float64Array.from(lines, (line) => line[k]);
+  const plan = { period_s: 0.001, nominal: { line: column(0), seconds: column(1), end_mm: column(2) } } as unknown as Plan;
   const found: [number, number][] = [];
-  expectedLines(plan, { lines: new Map(known), left_s }).forEach((ticks, line) => found.push([line, ticks]));
+  const ticks = known.reduce((sum, [, one]) => sum + one, 0);
+  new ExpectedLines(plan).at({ ticks, path_mm, left_s, line: 0, lines: new Map(known) }).forEach((one, line) => found.push([line, one]));
   return found;
-};
+}
+
+const THREE: Line[] = [[2, 1, 10], [3, 2, 30], [5, 3, 60]];
 
 test("lines that are not planned share what is left as their feedrates have it", () => {
-  assert.deepEqual(expected([], 12), [[2, 2000], [3, 4000], [5, 6000]]);
-  assert.deepEqual(expected([[2, 1500]], 10), [[3, 4000], [5, 6000]]);
+  assert.deepEqual(expected(THREE, [], 0, 12), [[2, 2000], [3, 4000], [5, 6000]]);
+  assert.deepEqual(expected(THREE, [[2, 1500]], 10.5, 10), [[3, 4000], [5, 6000]]);
 });
 
-test("no line is expected to take time where nothing is known of what is left, or all are planned", () => {
-  assert.deepEqual(expected([], null), []);
-  assert.deepEqual(expected([[2, 1], [3, 1], [5, 1]], 0.5), []);
+test("a line that goes on has its estimate, whatever of it is planned", () => {
+  assert.deepEqual(expected(THREE, [[2, 1500], [3, 1000]], 20, 9), [[3, 4000], [5, 6000]]);
+  // A loop of lines 2 and 3, once through: line 5 behind it takes no more than its share.
+  const loop: Line[] = [[2, 50, 990], [3, 50, 1000], [5, 1, 1050]];
+  assert.deepEqual(expected(loop, [[2, 1000], [3, 1000]], 20, 200), [[2, 100_000], [3, 100_000], [5, 2000]]);
+});
+
+test("no line is expected to take time where nothing is known of the whole, or all are planned", () => {
+  assert.deepEqual(expected(THREE, [], 0, null), []);
+  assert.deepEqual(expected(THREE, [[2, 1], [3, 1], [5, 1]], 61, 0.5), []);
 });
 
 test("the time of a line that is not planned has two digits", () => {

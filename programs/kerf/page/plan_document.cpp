@@ -92,7 +92,7 @@ float largest(const ColumnSeries& series) {
   return most;
 }
 
-// Of single ticks both are the same value, to 2^-22 of the largest; columns of several are coarser,
+// Of single ticks there is one value, to 2^-22 of the largest; columns of several are coarser,
 // and never narrower than what they stand for.
 void add_series(Sections& sections, const std::string& name, const ColumnSeries& series,
                 bool single) {
@@ -160,17 +160,20 @@ void add_runs(Json& header, Sections& sections, const MotionRuns& motion) {
   sections.add_bytes("runs.kind", kinds);
 }
 
-void add_nominal_lines(Sections& sections, const std::vector<double>& seconds) {
+void add_nominal_lines(Sections& sections, const std::vector<NominalLines::Line>& all) {
   std::vector<std::uint32_t> lines;
-  for (std::uint32_t line = 0; line < seconds.size(); ++line) {
-    if (seconds[line] > 0.0) {
+  for (std::uint32_t line = 0; line < all.size(); ++line) {
+    if (all[line].duration_s > 0.0) {
       lines.push_back(line);
     }
   }
   sections.add_numbers({"nominal.line"}, lines,
                        [](std::uint32_t line) { return std::int64_t{line}; });
-  sections.add_numbers({"nominal.s", kTimeUnit_s}, lines, [&seconds](std::uint32_t line) {
-    return std::llround(seconds[line] / kTimeUnit_s);
+  sections.add_numbers({"nominal.s", kTimeUnit_s}, lines, [&all](std::uint32_t line) {
+    return std::llround(all[line].duration_s / kTimeUnit_s);
+  });
+  sections.add_numbers({"nominal.end", kPathUnit_mm}, lines, [&all](std::uint32_t line) {
+    return std::llround(all[line].end_mm / kPathUnit_mm);
   });
 }
 
@@ -180,7 +183,7 @@ void add_planned(Json& header, Sections& sections, const PageRecord& record) {
     add_path(header, sections, record.planned->outline());
   }
   if (record.nominal) {
-    add_nominal_lines(sections, record.nominal->seconds());
+    add_nominal_lines(sections, record.nominal->lines());
   }
 }
 

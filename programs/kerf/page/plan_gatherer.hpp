@@ -29,6 +29,7 @@ class PlanGatherer {
     path_.add({.tick = record.tick, .position_mm = record.position_mm, .rapid = record.rapid});
     runs_.add(record);
     last_tick_ = record.tick;
+    path_mm_ = record.motion.s_mm;
   }
 
   // What the kernel tells the operator since the tick that was added last.
@@ -48,6 +49,8 @@ class PlanGatherer {
   static constexpr std::size_t kMaxMessages = 1000;
   [[nodiscard]] const std::vector<ProgramMessage>& messages() const noexcept { return messages_; }
   [[nodiscard]] std::int64_t last_tick() const noexcept { return last_tick_; }
+  // Where the tool is on its path then.
+  [[nodiscard]] double path_mm() const noexcept { return path_mm_; }
 
  private:
   TickColumns columns_;
@@ -57,6 +60,7 @@ class PlanGatherer {
   CodeRuns words_;
   std::vector<ProgramMessage> messages_;
   std::int64_t last_tick_ = 0;
+  double path_mm_ = 0.0;
   Watch watch_;
   static constexpr std::int64_t kTicksOfWatch = 64;
 };

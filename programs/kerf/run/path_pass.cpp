@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "kernel/program_path.hpp"
+#include "kernel/reader_options.hpp"
 #include "programs/kerf/run/path_walk.hpp"
 
 namespace kerf::program {
@@ -20,10 +21,12 @@ MachineSettings without_travel(MachineSettings settings) {
 
 }  // namespace
 
-void path_pass(ProgramFile& file, const MachineSettings& settings, const KernelOptions& options,
-               PageRecord& page) {
+void path_pass(const PathOrder& order, ProgramFile& file, PageRecord& page) {
+  const auto& [settings, options, feed_override] = order;
   PlannedPath& planned = page.planned.emplace(page.extents.value_or(curves::Extents{}));
-  NominalLines nominal(settings.limits);
+  NominalLines nominal({.limits = settings.limits,
+                        .events = event_time_settings(settings, options),
+                        .feed_override = feed_override});
   ProgramPath path(without_travel(settings), options, {});
   // A file that cannot be read any more ends the path there.
   static_cast<void>(walk_path(file, path, [&](const ProgramPath::Output& output) {

@@ -9,9 +9,14 @@
 
 namespace kerf::program {
 
+struct PathOrder {
+  const MachineSettings& settings;
+  const KernelOptions& options;
+  double feed_override = 1.0;  // Options::feed_override
+};
+
 // Of the rewound file, which has passed its check but for the travel: PageRecord::planned, also
 // where it leaves the travel, and nominal.
-void path_pass(ProgramFile& file, const MachineSettings& settings, const KernelOptions& options,
-               PageRecord& page);
+void path_pass(const PathOrder& order, ProgramFile& file, PageRecord& page);
 
 }  // namespace kerf::program

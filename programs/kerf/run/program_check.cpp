@@ -73,7 +73,10 @@ void look_at_path(const ProgramCheck& how, ProgramFile& file, const FileReport& 
   const bool is_shown = report.status == ExitStatus::done && page->show_path;
   if (is_shown || report.status == ExitStatus::machine_fault) {
     file.rewind();
-    path_pass(file, how.settings, how.kernel_options, *page);
+    path_pass({.settings = how.settings,
+               .options = how.kernel_options,
+               .feed_override = how.options.feed_override},
+              file, *page);
   }
   if (is_shown) {
     page->show_path(report);

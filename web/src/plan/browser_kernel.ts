@@ -19,10 +19,13 @@ export interface Order {
 // refused: what is wrong with the machine file, or within kerf.
 export type Answer = { readonly plan: Plan; readonly took_s: number } | { readonly refused: readonly string[] };
 
-// What is planned since the last time: line, ticks, line, ticks, ...; all ticks so far. left_s < 0: not known.
-interface Told {
+// What is planned since the last time: line, ticks, line, ticks, ...; the line that is run now; all ticks and the path's length so far.
+// left_s < 0: not known.
+export interface Told {
   readonly lines: Uint32Array<ArrayBuffer>;
+  readonly line: number;
   readonly ticks: number;
+  readonly path_mm: number;
   readonly left_s: number;
 }
 
@@ -48,14 +51,10 @@ function answerOf(bytes: Uint8Array, order: Order, took_s: number): Answer {
 // All that was told of one plan.
 class SoFar {
   private readonly lines = new Map<number, number>();
-  private line = 0;
 
-  with({ lines, ticks, left_s }: Told): Progress {
-    for (let i = 0; i < lines.length; i += 2) {
-      this.line = lines[i]!;
-      this.lines.set(this.line, (this.lines.get(this.line) ?? 0) + lines[i + 1]!);
-    }
-    return { ticks, left_s: left_s < 0 ? null : left_s, line: this.line, lines: this.lines };
+  with({ lines, line, ticks, path_mm, left_s }: Told): Progress {
+    for (let i = 0; i < lines.length; i += 2) this.lines.set(lines[i]!, (this.lines.get(lines[i]!) ?? 0) + lines[i + 1]!);
+    return { ticks, path_mm, left_s: left_s < 0 ? null : left_s, line, lines: this.lines };
   }
 }
 

@@ -118,7 +118,7 @@ export interface Header {
   readonly first_tick?: number;
   readonly ticks_per_column?: number;
   readonly columns?: number;
-  readonly path_tolerance_mm?: number;
+  readonly path_tolerance_mm?: number; // also of a path alone
   readonly codes?: readonly string[];
   readonly words?: readonly string[]; // F, S and T
   readonly messages?: readonly { line: number; text: string }[];

@@ -18,7 +18,7 @@ export interface Runs {
 }
 
 // The tool goes straight and evenly from point to point, to within the path's tolerance. Of a program that does not run,
-// "ticks" are nanometres along the path.
+// or whose times are not planned yet, "ticks" are nanometres along the path.
 export interface Path {
   readonly tick: Float64Array;
   readonly xyz: readonly [Float64Array, Float64Array, Float64Array];
@@ -27,10 +27,11 @@ export interface Path {
 
 export const lastPart = (path: string): string => path.split("/").pop() ?? path;
 
-// About how long lines take of a program whose times are not planned yet, with what they say alone.
+// About how long lines take of a program whose times are not planned yet, by what it says alone.
 export interface Nominal {
   readonly line: Float64Array; // in order
-  readonly seconds: Float64Array;
+  readonly seconds: Float64Array; // in all its rounds
+  readonly end_mm: Float64Array; // of the last one, along the path
 }
 
 export type Quantity = "v" | "a" | "j";
@@ -134,10 +135,10 @@ export class Plan {
     return ["path", ...this.header.machine.axes.map((axis) => axis.name)];
   }
 
-  // Of a plan that is on its way; of others empty.
+  // Of a plan that is on its way; empty of one that has come.
   get nominal(): Nominal {
     const of = (name: string): Float64Array => this.decoded.numbers.get(name) ?? new Float64Array();
-    return { line: of("nominal.line"), seconds: of("nominal.s") };
+    return { line: of("nominal.line"), seconds: of("nominal.s"), end_mm: of("nominal.end") };
   }
 
   unitOf(track: string): "mm" | "deg" {

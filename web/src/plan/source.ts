@@ -23,9 +23,10 @@ export interface Shown {
 // How far a plan is that is on its way.
 export interface Progress {
   readonly ticks: number;
+  readonly path_mm: number; // its length so far
   readonly left_s: number | null; // the kernel's estimate; null: it has none
-  readonly line: number; // the last one whose ticks are known
-  readonly lines: LineNumbers; // their ticks
+  readonly line: number; // that is run now; 0: none is yet
+  readonly lines: LineNumbers; // ticks so far
 }
 
 export interface PlanSource {

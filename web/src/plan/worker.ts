@@ -10,8 +10,8 @@ function instantiated(module: WebAssembly.Module): Promise<Kernel> {
     const running = makeKernel({
       locateFile: (name) => name, // nothing is loaded
       toldPath: (document) => reply(document, true),
-      told(lines, ticks, left_s) {
-        self.postMessage({ lines, ticks, left_s } satisfies Reply, { transfer: [lines.buffer] });
+      told(told) {
+        self.postMessage(told satisfies Reply, { transfer: [told.lines.buffer] });
       },
       instantiateWasm(imports, done) {
         WebAssembly.instantiate(module, imports).then(done).catch(reject);

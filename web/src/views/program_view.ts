@@ -3,7 +3,7 @@ import { EditorState, type Extension, type StateEffect, type Text, type Transact
 import { EditorView, gutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
 import { ByLine, type LineNumbers } from "../plan/by_line.ts";
-import { expectedLines } from "../plan/expected_lines.ts";
+import { ExpectedLines } from "../plan/expected_lines.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Progress } from "../plan/source.ts";
 import type { Store } from "../state.ts";
@@ -33,7 +33,8 @@ export class ProgramView {
   private written: { readonly state: EditorState; readonly scroll: StateEffect<unknown> } | null = null; // while another text is looked at
   private plan: Plan | null = null;
   private account: Account | null = null;
-  private expected: LineNumbers = new ByLine(0); // ticks of lines that are not planned yet
+  private expectation: ExpectedLines | null = null;
+  private expected: LineNumbers = new ByLine(0); // ticks of lines that are not planned to their end
   private readonly follower = new LineFollower(() => this.showInstant(true));
   private longest = 1; // ticks of the line that takes longest
   private readonly store: Store;
@@ -55,6 +56,7 @@ export class ProgramView {
   show(plan: Plan, account: Account): void {
     this.plan = plan;
     this.account = account;
+    this.expectation = null;
     this.expected = new ByLine(0);
     this.findLongest();
     this.host.hidden = plan.source === null;
@@ -120,11 +122,12 @@ export class ProgramView {
     this.showInstant(this.editing === null || this.root.activeElement === null);
   }
 
-  // The ticks of some lines of a plan that is on its way, and what the others are expected to take.
+  // The ticks of some lines of a plan that is on its way, and about what the others take.
   showLines(progress: Progress): void {
     if (!this.plan || !this.account) return;
     this.account = { ...this.account, lines: progress.lines };
-    this.expect(expectedLines(this.plan, progress));
+    this.expectation ??= new ExpectedLines(this.plan);
+    this.expect(this.expectation.at(progress));
   }
 
   expectNothing(): void {
@@ -176,11 +179,11 @@ export class ProgramView {
 
   private marker(line: number): TimeMarker | null {
     const planned = this.lines?.plannedOf(line) ?? 0;
-    const known = this.account?.lines.get(planned);
-    const ticks = known ?? this.expected.get(planned) ?? 0;
-    if (ticks === 0) return null;
+    const expected = this.expected.get(planned);
+    const ticks = expected ?? this.account?.lines.get(planned) ?? 0;
+    if (ticks < 0.5) return null;
     const seconds = ticks * this.plan!.period_s;
-    return new TimeMarker(known === undefined ? roughTime(seconds) : shortTime(seconds), ticks / this.longest);
+    return new TimeMarker(expected === undefined ? shortTime(seconds) : roughTime(seconds), ticks / this.longest);
   }
 
   // The next line, in that direction, that takes time.
@@ -240,6 +243,6 @@ export class ProgramView {
     if (this.view) this.follower.mark(this.view, runs?.line[run] ?? 0, scroll);
     this.words.textContent = plan?.inForceAt("words", instant) ?? "";
     this.codes.textContent = plan?.inForceAt("codes", instant) ?? "";
-    if (plan?.source === null) this.message.textContent = `The program's text is not in this report. The tool is in ${plan.placeAt(instant)}.`;
+    if (plan?.source === null) this.message.textContent = `The program's text is not in this report.${plan.motion ? ` The tool is in ${plan.placeAt(instant)}.` : ""}`;
   }
 }

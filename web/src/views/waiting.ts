@@ -13,6 +13,6 @@ export function waitingTexts(progress: Waited, period_s: number): [string, strin
   if (progress === "none") return ["not planned", ""];
   if (!progress || progress.ticks === 0) return ["planning\u2026", ""];
   const done_s = progress.ticks * period_s;
-  const soFar = `planned so far: ${wholeSeconds(done_s)}, up to line ${progress.line}`;
+  const soFar = `planned so far: ${wholeSeconds(done_s)}${progress.line > 0 ? `, up to line ${progress.line}` : ""}`;
   return progress.left_s === null ? ["planning\u2026", soFar] : [`about ${wholeSeconds(done_s + progress.left_s)}`, `an estimate; ${soFar}`];
 }
