@@ -55,6 +55,9 @@ export function clock(seconds: number, given?: number): string {
   return hours > 0 ? `${hours}:${String(minutes).padStart(2, "0")}:${rest}` : `${minutes}:${rest}`;
 }
 
+// Of a key of JSON: "path jerk".
+export const wordsOf = (key: string): string => key.replaceAll("_", " ");
+
 // Short, for one line of a program: "0.035", "12.3", "2:03".
 export function shortTime(seconds: number): string {
   if (seconds < 0.9995) return seconds.toFixed(3);

@@ -1,5 +1,5 @@
 // Plans computed in the browser: the kernel as WebAssembly, in a worker of its own.
-import { decodePlan } from "./decode.ts";
+import { decodePlan, isPlan } from "./decode.ts";
 import { Plan } from "./plan.ts";
 import type { Part, Progress } from "./source.ts";
 
@@ -41,10 +41,8 @@ export interface Waiting {
 // A plan that is there by then comes without its path before it.
 const PATIENCE_MS = 500;
 
-const MAGIC = "KERFPLAN";
-
 function answerOf(bytes: Uint8Array, order: Order, took_s: number): Answer {
-  if (new TextDecoder().decode(bytes.subarray(0, MAGIC.length)) === MAGIC) return { plan: new Plan(decodePlan(bytes), order.files[0].text), took_s };
+  if (isPlan(bytes)) return { plan: new Plan(decodePlan(bytes), order.files[0].text), took_s };
   return JSON.parse(new TextDecoder().decode(bytes)) as { refused: string[] };
 }
 

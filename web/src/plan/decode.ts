@@ -195,9 +195,10 @@ export function unpackNumbers(bytes: Uint8Array, count: number, unit: number): F
   return numbers;
 }
 
+export const isPlan = (bytes: Uint8Array): boolean => String.fromCharCode(...bytes.subarray(0, MAGIC.length)) === MAGIC;
+
 export function decodePlan(bytes: Uint8Array): Decoded {
-  const magic = String.fromCharCode(...bytes.subarray(0, MAGIC.length));
-  if (magic !== MAGIC) {
+  if (!isPlan(bytes)) {
     throw new Error("the data of this page is no plan");
   }
   const size = new DataView(bytes.buffer, bytes.byteOffset).getUint32(MAGIC.length, true);

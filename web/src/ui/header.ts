@@ -7,7 +7,7 @@ import { aboutBox } from "./about.ts";
 import { choice, h, select } from "./dom.ts";
 
 export const nameOf = (plan: Plan): string => lastPart(plan.header.report.file);
-const machineOf = (plan: Plan): string => lastPart(plan.header.report.machine);
+export const machineOf = (plan: Plan): string => lastPart(plan.header.report.machine);
 
 // Those that nothing tells apart with their number: "part.ngc (2)". keys: what tells them apart.
 export function numbered(names: readonly string[], keys = names): string[] {

@@ -7,8 +7,8 @@ import { SPLIT_NAMES, operationsOf, splitOf, toolsOf, total, type Part, type Spl
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
 import { h, replaceKeepingFocus, table } from "../ui/dom.ts";
-import { cycleText, nameOf, numbered } from "../ui/header.ts";
-import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf } from "../units.ts";
+import { cycleText, machineOf, nameOf, numbered } from "../ui/header.ts";
+import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf, wordsOf } from "../units.ts";
 import { fitCard, fitText, offsetText } from "./fit_card.ts";
 import { waitingTexts, type Waited } from "./waiting.ts";
 
@@ -156,7 +156,7 @@ export class AnswerView {
     if (!line) return null;
     const key = Object.keys(line.limits)[0] ?? "";
     const share = line.time_s / (this.plan!.motion!.lastTick * this.plan!.period_s);
-    return this.card("Costs most", "slowest", h("div", { class: "big" }, this.lineButton(line.line)), h("div", { class: "soft rows" }, h("div", {}, `${clock(line.time_s)}, ${percent(share)} of the time`), h("div", {}, `mostly ${key.replaceAll("_", " ")}`), h("div", {}, remedyOf(key))));
+    return this.card("Costs most", "slowest", h("div", { class: "big" }, this.lineButton(line.line)), h("div", { class: "soft rows" }, h("div", {}, `${clock(line.time_s)}, ${percent(share)} of the time`), h("div", {}, `mostly ${wordsOf(key)}`), h("div", {}, remedyOf(key))));
   }
 
   private sections(): HTMLElement[] {
@@ -205,9 +205,8 @@ export class AnswerView {
     return table(
       ["program", "machine", "time", "difference"],
       plans.map((plan, i) => {
-        const { machine } = plan.header.report;
         const name = h("button", { type: "button", class: "link", click: () => this.store.showPlan(i, "answer") }, names[i]!);
-        return [name, machine === "default" ? machine : machine.split("/").pop() ?? machine, cycleText(plan), i === base ? "" : this.differenceOf(plan)];
+        return [name, machineOf(plan), cycleText(plan), i === base ? "" : this.differenceOf(plan)];
       }),
       "side-by-side",
     );
@@ -235,7 +234,7 @@ export class AnswerView {
       ["line", "time", "limited by", ""],
       lines.map((line) => {
         const [key, share] = Object.entries(line.limits)[0] ?? ["", { share: 0 }];
-        return [this.lineButton(line.line, String(line.line)), clock(line.time_s), `${key.replaceAll("_", " ")} ${percent(share.share)}`, remedyOf(key)];
+        return [this.lineButton(line.line, String(line.line)), clock(line.time_s), `${wordsOf(key)} ${percent(share.share)}`, remedyOf(key)];
       }),
       "lines",
     );
@@ -245,7 +244,7 @@ export class AnswerView {
     const limits = Object.entries(this.plan!.header.report.speed_limits ?? {});
     return table(
       ["limit", "time", "share"],
-      limits.map(([key, { time_s, share }]) => [key.replaceAll("_", " "), clock(time_s), percent(share)]),
+      limits.map(([key, { time_s, share }]) => [wordsOf(key), clock(time_s), percent(share)]),
       "constraints",
     );
   }

@@ -4,7 +4,7 @@ import { largestFirst, limitRows, lineRows, type LineRow, type Ran, type Row } f
 import type { Plan } from "../plan/plan.ts";
 import type { Store } from "../state.ts";
 import { h, replaceKeepingFocus, select, table } from "../ui/dom.ts";
-import { clock, difference } from "../units.ts";
+import { clock, difference, wordsOf } from "../units.ts";
 
 const ROWS_AT_ONCE = 200;
 
@@ -82,7 +82,7 @@ export class DifferenceView {
   }
 
   private limitTable({ base, other }: Pair): HTMLElement {
-    return table(["limit", base.name, other.name, "difference"], limitRows(base.plan, other.plan).map((row) => [row.key.replaceAll("_", " "), ...this.cells(row)]), "difference-limits");
+    return table(["limit", base.name, other.name, "difference"], limitRows(base.plan, other.plan).map((row) => [wordsOf(row.key), ...this.cells(row)]), "difference-limits");
   }
 
   private drawLines(): void {
