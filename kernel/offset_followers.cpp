@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <variant>
 
 #include "kernel/reader_options.hpp"
 #include "parser/moves/short_moves.hpp"
@@ -66,6 +67,13 @@ OffsetFollowers::Ranges* OffsetFollowers::ranges_of(double shift_mm) {
   return nullptr;
 }
 
+OffsetFollowers::Way::Kind OffsetFollowers::kind_of(const parser::Move& move) {
+  if (std::holds_alternative<parser::LineMove>(move.shape)) {
+    return Way::Kind::line;
+  }
+  return std::holds_alternative<parser::ArcMove>(move.shape) ? Way::Kind::arc : Way::Kind::other;
+}
+
 bool OffsetFollowers::read_up_to(const parser::Move& move) {
   while (reader_.next(shifted_)) {
     if (shifted_.block >= move.block) {
@@ -74,7 +82,7 @@ bool OffsetFollowers::read_up_to(const parser::Move& move) {
     }
     // The check has no move of that block: the tool is there already.
     if (parser::end_mm(shifted_) == nullptr ||
-        !include({place_mm_, place_mm_, {place_mm_, place_mm_}})) {
+        !include({.start_mm = place_mm_, .end_mm = place_mm_, .box = {place_mm_, place_mm_}})) {
       return false;
     }
   }
@@ -91,50 +99,57 @@ void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Exte
     return;
   }
   if (const parser::Point* end = parser::end_mm(move); end != nullptr && box) {
-    include({move.start_mm, *end, *box});
+    include({.start_mm = move.start_mm, .end_mm = *end, .box = *box, .kind = kind_of(move)});
     place_mm_ = *end;
   }
 }
 
+// Between two places that follow different offsets a line reaches no farther than they. What a
+// curve does there changes with the offsets, an arc along the other axis, too.
 bool OffsetFollowers::include(const Way& way) {
-  bool all_known = true;
+  struct Axis {
+    Ranges* from = nullptr;
+    Ranges* to = nullptr;
+    bool moves = false;
+  };
+  std::array<Axis, 3> axes;
+  bool is_other_arc = false;  // with other offsets
   const parser::Point& shifted_end = *parser::end_mm(shifted_);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (is_at_start_[k] && shifted_end[k] == shifted_.start_mm[k] &&
-        way.end_mm[k] == way.start_mm[k]) {
+    Axis& axis = axes[k];
+    axis.moves = !is_at_start_[k] || shifted_end[k] != shifted_.start_mm[k] ||
+                 way.end_mm[k] != way.start_mm[k];
+    if (!axis.moves) {
       continue;
     }
     const bool begins = std::exchange(is_at_start_[k], false);
-    Ranges* from = ranges_of(shifted_.start_mm[k] - way.start_mm[k]);
-    Ranges* const to = ranges_of(shifted_end[k] - way.end_mm[k]);
+    axis.from = ranges_of(shifted_.start_mm[k] - way.start_mm[k]);
+    axis.to = ranges_of(shifted_end[k] - way.end_mm[k]);
     // The check starts where this move leads, so it has no way to there.
     if (begins && way.end_mm[k] == way.start_mm[k]) {
-      from = to;
+      axis.from = axis.to;
     }
-    if (from == nullptr || to == nullptr) {
-      extents_.is_known[k] = false;
-    } else {
-      include(k, *from, *to, way);
+    is_other_arc = is_other_arc || (way.kind == Way::Kind::arc && axis.from != axis.to);
+  }
+  bool all_known = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto [from, to, moves] = axes[k];
+    if (!moves) {
+      continue;
+    }
+    const bool spans = way.box.max_mm[k] - way.box.min_mm[k] > kRounding_mm;
+    const bool is_other = (way.kind != Way::Kind::line && from != to) || (is_other_arc && spans);
+    const bool is_known = from != nullptr && to != nullptr && !is_other;
+    extents_.is_known[k] = extents_.is_known[k] && is_known;
+    if (is_known && from == to) {
+      extend((*to)[k], {way.box.min_mm[k], way.box.max_mm[k]});
+    } else if (is_known) {
+      extend((*from)[k], {way.start_mm[k], way.start_mm[k]});
+      extend((*to)[k], {way.end_mm[k], way.end_mm[k]});
     }
     all_known = all_known && extents_.is_known[k];
   }
   return all_known;
-}
-
-// Between two places that follow different offsets a line reaches no farther than they. What a
-// curve does there changes with the offsets.
-void OffsetFollowers::include(std::size_t axis, Ranges& from, Ranges& to, const Way& way) {
-  const AxisRange filled{way.box.min_mm[axis], way.box.max_mm[axis]};
-  if (&from == &to) {
-    extend(to[axis], filled);
-    return;
-  }
-  const auto [low_mm, high_mm] = std::minmax(way.start_mm[axis], way.end_mm[axis]);
-  if (filled.min_mm < low_mm - kRounding_mm || filled.max_mm > high_mm + kRounding_mm) {
-    extents_.is_known[axis] = false;
-  }
-  extend(from[axis], {way.start_mm[axis], way.start_mm[axis]});
-  extend(to[axis], {way.end_mm[axis], way.end_mm[axis]});
 }
 
 }  // namespace kerf

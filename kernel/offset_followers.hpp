@@ -52,10 +52,12 @@ class OffsetFollowers {
     const parser::Point& start_mm;
     const parser::Point& end_mm;
     Extents box;
+    enum class Kind : std::uint8_t { line, arc, other };
+    Kind kind = Kind::line;
   };
+  static Way::Kind kind_of(const parser::Move& move);
   // False: of an axis it is not known what it follows.
   bool include(const Way& way);
-  void include(std::size_t axis, Ranges& from, Ranges& to, const Way& way);
 
   parser::ProgramReader reader_;
   parser::Move shifted_;

@@ -150,13 +150,25 @@ TEST(OffsetExtents, HaveTheStartOfAnAxisThatNothingMoves) {
   expect_range(extents.fixed[2], 2.0, 2.0);
 }
 
-// From machine zero a bow in Y, which is another one from another offset; X grows all along it.
-TEST(OffsetExtents, AreUnknownWhereACurveBulgesBetweenTwoOffsets) {
+// From machine zero a bow in Y, which is another one from another offset.
+TEST(OffsetExtents, AreUnknownWhereACurveLeadsFromOneOffsetToAnother) {
   const OffsetExtents extents =
       check("G21 G90 G28 X0 Y0\nG5 I0 J60 P0 Q60 X50 Y0 F3000\nM2\n").offset_extents;
-  EXPECT_TRUE(extents.is_known[0]);
-  EXPECT_FALSE(extents.is_known[1]);
-  EXPECT_TRUE(extents.is_known[2]);
+  EXPECT_EQ(extents.is_known, (std::array{false, false, true}));
+}
+
+TEST(OffsetExtents, AreKnownOfAnArcThatFollowsOneOffset) {
+  const OffsetExtents extents =
+      check("G21 G90 G17 G28 X0 Y0\nG1 X10 Y0 Z1 F3000\nG2 X30 I10 Z-5\nM2\n").offset_extents;
+  EXPECT_EQ(extents.is_known, (std::array{true, true, true}));
+  expect_range(extents.following[0][1], 0, 10);
+}
+
+// As it is the arc stays between its ends; from another offset it bulges beyond them.
+TEST(OffsetExtents, AreUnknownWhereAnArcBetweenTwoOffsetsMayBulge) {
+  const OffsetExtents extents =
+      check("G21 G90 G17 G28 X0 Y0\nG3 X200 Y-380 R275 F3000\nG1 Y50\nM2\n").offset_extents;
+  EXPECT_EQ(extents.is_known, (std::array{false, false, true}));
 }
 
 TEST(OffsetExtents, AreUnknownWhereTheProgramRunsAnotherWay) {
