@@ -19,6 +19,21 @@ constexpr std::array kHidden{Range{0x00, 0x1F},     Range{0x7F, 0xA0},     Range
 
 }  // namespace
 
+std::string_view first_bytes(std::string_view bytes, std::size_t most) {
+  constexpr std::size_t kMostOfCharacter = 4;
+  if (bytes.size() <= most) {
+    return bytes;
+  }
+  const auto goes_on = [bytes](std::size_t at) {
+    return (static_cast<unsigned char>(bytes[at]) & 0xC0U) == 0x80U;
+  };
+  std::size_t size = most;
+  while (size > 0 && most - size < kMostOfCharacter && goes_on(size)) {
+    --size;
+  }
+  return bytes.substr(0, goes_on(size) ? most : size);
+}
+
 bool is_hidden(char32_t code) {
   return std::ranges::any_of(
       kHidden, [code](const Range& range) { return code >= range.first && code <= range.last; });

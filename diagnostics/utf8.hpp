@@ -14,6 +14,9 @@ struct Utf8 {
 // The character at the start of `bytes`. Precondition: not empty.
 Utf8 utf8_at(std::string_view bytes);
 
+// The longest begin of at most so many bytes that cuts no character.
+std::string_view first_bytes(std::string_view bytes, std::size_t most);
+
 // Shows nothing of itself, or changes how a terminal shows what follows: control characters, marks
 // of direction, ends of lines, the byte order mark, the blank that is no blank.
 bool is_hidden(char32_t code);

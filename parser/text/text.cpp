@@ -3,6 +3,8 @@
 #include <array>
 #include <charconv>
 
+#include "diagnostics/utf8.hpp"
+
 namespace kerf::parser {
 
 std::string in_mm(double value) {
@@ -38,9 +40,10 @@ std::string upper(std::string_view text) {
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t kLongest = 40;
+  const std::string_view begin = diagnostics::first_bytes(text, kLongest);
   std::string result = "'";
-  result += text.substr(0, kLongest);
-  return result + (text.size() > kLongest ? "...'" : "'");
+  result += begin;
+  return result + (begin.size() < text.size() ? "...'" : "'");
 }
 
 std::string joined(std::initializer_list<std::string_view> parts) {

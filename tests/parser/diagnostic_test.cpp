@@ -130,5 +130,15 @@ TEST(Excerpt, OfAnyBytesIsShortValidTextWithTheCaretInsideIt) {
   }
 }
 
+TEST(Utf8, IsCutBetweenCharacters) {
+  using diagnostics::first_bytes;
+  const std::string text = "a\xC3\xA4\xE2\x88\x92\xF0\x9F\x99\x82";
+  const std::vector<std::size_t> sizes{0, 1, 1, 3, 3, 3, 6, 6, 6, 6, 10, 10};
+  for (std::size_t most = 0; most < sizes.size(); ++most) {
+    EXPECT_EQ(first_bytes(text, most).size(), sizes[most]) << most;
+  }
+  EXPECT_EQ(first_bytes("\x80\x80\x80\x80\x80\x80", 5).size(), 5U) << "no UTF-8";
+}
+
 }  // namespace
 }  // namespace kerf::parser

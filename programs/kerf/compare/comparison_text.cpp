@@ -6,6 +6,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "diagnostics/utf8.hpp"
 #include "programs/kerf/io/number_text.hpp"
 #include "programs/kerf/io/visible_text.hpp"
 #include "programs/kerf/report/extents_text.hpp"
@@ -42,7 +43,8 @@ std::string place_text(const LineDifference& line) {
 }
 
 std::string shown(const std::string& text) {
-  return visible(text.size() <= kTextBytes ? text : text.substr(0, kTextBytes) + "...");
+  const std::string_view begin = diagnostics::first_bytes(text, kTextBytes);
+  return visible(begin) + (begin.size() < text.size() ? "..." : "");
 }
 
 std::string words_of(const LineDifference& line) {
