@@ -33,6 +33,15 @@ TEST(FileNames, AreAllThatAPageSaysOfWhereFilesLie) {
   EXPECT_EQ(named.warnings[0], "mill.toml: 3 / 4");
 }
 
+TEST(FileNames, AreNoUnitsThatEndLikeAFolder) {
+  FileReport report;
+  report.file = "mm/part.ngc";
+  report.diagnostics.emplace_back(diagnostics::SourcePosition{}, errors::kUnknownGCode,
+                                  "a feed of 20000 mm/min, by 'mm/drill.ngc' and mm/mill.ngc");
+  const FileReport named = with_file_names(report);
+  EXPECT_EQ(named.diagnostics[0].message, "a feed of 20000 mm/min, by 'drill.ngc' and mill.ngc");
+}
+
 TEST(FileNames, StayWhatTheyAreWithoutFolders) {
   FileReport report;
   report.file = "part.ngc";

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kerf::program {
@@ -34,10 +35,30 @@ std::string folder_of(const std::string& path) {
   return folder.empty() || folder == "/" ? "" : folder + "/";
 }
 
-void leave_out(std::string& text, const std::string& part) {
-  for (std::size_t at = text.find(part); !part.empty() && at != std::string::npos;
-       at = text.find(part, at)) {
-    text.erase(at, part.size());
+struct Span {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+// Whether a folder that is found in a text is the begin of a path there: one may be called "mm",
+// and a feed is in mm/min.
+bool begins_path(std::string_view text, const Span& folder) {
+  constexpr std::string_view kBefore = " '\"([:,";
+  const std::string_view rest = text.substr(folder.end);
+  const bool is_unit = rest.starts_with("min") || rest.starts_with("s");
+  const bool is_file = rest.substr(0, rest.find_first_of(" ,;:'\")")).find('.') != rest.npos;
+  const bool is_begin = folder.begin == 0 || kBefore.find(text[folder.begin - 1]) != kBefore.npos;
+  return is_begin && (is_file || !is_unit);
+}
+
+void leave_out(std::string& text, const std::string& folder) {
+  for (std::size_t at = text.find(folder); !folder.empty() && at != std::string::npos;
+       at = text.find(folder, at)) {
+    if (begins_path(text, {.begin = at, .end = at + folder.size()})) {
+      text.erase(at, folder.size());
+    } else {
+      at += folder.size();
+    }
   }
 }
 
