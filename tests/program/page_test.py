@@ -113,7 +113,7 @@ class Report(Case):
         self.assertAlmostEqual(max(cut), 40, delta=1e-3)
 
     def test_leaves_all_of_the_text_out_where_that_is_asked_for(self):
-        for text, status in ("(MSG, secret)\n(secret)\nG1 F100 X1\n; secret\nG1 X2\n", 0), ("G1 F100 X1 (secret)\nG1 G2 X2 (secret)\n", 1), ("G1 F100 X1\n(ABORT, secret)\nM2\n", 1):
+        for text, status in ("(MSG, secret)\n(secret)\nG1 F100 X1\n; secret\nG1 X2\n", 0), ("G1 F100 X1 (secret)\nG1 G2 X2 (secret)\n", 1), ("G1 F100 X1\n(ABORT, secret)\nM2\n", 1), ("o1 if [1] G1 X1 secret\no1 endif\nM2\n", 1):
             self.report("--no-source", self.path("hidden.ngc", text), status=status)
             [(header, sections)] = plans_of(self.page)
             self.assertNotIn("secret", json.dumps(header))

@@ -216,10 +216,13 @@ void add_source(Sections& sections, const std::string& source) {
   }
 }
 
-// It has the words of a comment, or a name in angle brackets that the program has made.
+// It has the words of a comment, a name in angle brackets that the program has made, or a
+// quotation.
 bool quotes_program(const diagnostics::Diagnostic& diagnostic) {
+  const std::string& message = diagnostic.message;
   return diagnostic.page == &errors::kAborted || diagnostic.page == &errors::kMacroAlarm ||
-         diagnostic.message.find('<') != std::string::npos;
+         message.find('<') != std::string::npos || message.starts_with('\'') ||
+         message.find(" '") != std::string::npos || message.find("('") != std::string::npos;
 }
 
 // The lowest byte first.
