@@ -50,6 +50,8 @@ class MaxTime(Case):
                 report = json.loads(self.kerf(*command, slow, "--max-time", "20s", "--json", status=1).stdout)
                 self.assertEqual([(error["line"], error["id"]) for error in report["errors"]], [(2, "E1003")])
                 self.assertNotIn("cycle_time_s", report)
+        report = json.loads(self.kerf("dry-run", slow, "--max-time", "20s", "--explain-speed", "--json", status=1).stdout)
+        self.assertNotIn("speed_limits", report, "shares of no whole")
 
     def test_more_headings_than_are_kept_are_told(self):
         for headings, told in ((9999, 0), (10001, 1)):

@@ -161,6 +161,7 @@ class Session {
         // Up to where it was cut off it has no figures of its own.
         report_.plan.reset();
         report_.motion.reset();
+        report_.speed.reset();
         fill_in_blocks(report_.diagnostics, *file);
       }
       report_.run_duration_s = watch.elapsed_s();
