@@ -34,6 +34,14 @@ class DryRun(Case):
             done = subprocess.run([KERF, "dry-run", "-"], stdin=file, capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_a_picture_on_standard_output_stands_alone(self):
+        done = self.kerf("dry-run", "--plot", "-", self.path("square.ngc", SQUARE))
+        self.assertTrue(done.stdout.startswith("<?xml") or done.stdout.startswith("<svg"), done.stdout[:40])
+        self.assertTrue(done.stdout.endswith("</svg>\n"), done.stdout[-40:])
+        self.assertIn("square.ngc: done", done.stderr)
+        for other in (("--json",), ("--trace", "-")):
+            self.kerf("dry-run", "--plot", "-", *other, self.path("square.ngc", SQUARE), status=2)
+
     def test_of_several_files_reports_each_and_returns_the_first_failure(self):
         good, bad = self.path("good.ngc", SQUARE), self.path("bad.ngc", WRONG)
         done = self.kerf("dry-run", good, bad, good, self.path("far.ngc", TOO_FAR), status=1)

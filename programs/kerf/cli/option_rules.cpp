@@ -132,6 +132,9 @@ std::optional<std::string> contradiction_of_streams(const Options& options) {
   if (options.page_file == "-" && options.json) {
     return "--json and -o - both write to standard output";
   }
+  if (options.plot_file == "-" && (options.json || options.trace_file == "-")) {
+    return "--plot - writes to standard output, as --json and --trace - do";
+  }
   const auto from_input = std::count(options.files.begin(), options.files.end(), "-");
   const bool runs_twice = options.machine_files.size() > 1 &&
                           (options.command != Subcommand::compare || options.files.size() == 1);
@@ -161,11 +164,11 @@ std::optional<std::string> contradiction_of_comparison(const Options& options) {
 
 std::optional<std::string> contradiction_of_trace(const Options& options) {
   const Options usual;
-  const bool chooses_ticks = options.trace_every != usual.trace_every ||
-                             options.trace_from_s != usual.trace_from_s ||
-                             options.trace_to_s != usual.trace_to_s;
+  const bool chooses_ticks =
+      options.trace_every != usual.trace_every || options.trace_from_s != usual.trace_from_s ||
+      options.trace_to_s != usual.trace_to_s || options.max_trace_bytes != usual.max_trace_bytes;
   if (chooses_ticks && !options.trace_file) {
-    return "--trace-every, --trace-from and --trace-to go with --trace";
+    return "--trace-every, --trace-from, --trace-to and --max-trace go with --trace";
   }
   if (options.trace_from_s > options.trace_to_s) {
     return "--trace-from is later than --trace-to";

@@ -52,8 +52,10 @@ ExitStatus print_report(const FileReport& report, const Options& options) {
   if (options.json) {
     return print(STDOUT_FILENO, json_report(report));
   }
-  // Where the trace goes to standard output, nothing else does; a document stands alone, too.
-  const bool traced = options.trace_file == "-" || options.page_file == "-";
+  // Where a trace or picture goes to standard output, nothing else does; a document stands alone,
+  // too.
+  const bool traced =
+      options.trace_file == "-" || options.plot_file == "-" || options.page_file == "-";
   if (options.quiet || report.trace_reader_gone ||
       (!text && (traced || options.command == Subcommand::check))) {
     return ExitStatus::done;
