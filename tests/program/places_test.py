@@ -52,7 +52,7 @@ class Start(Case):
     def test_at_relative_first_moves_is_refused(self):
         part = self.path("relative.ngc", "G21 G91 F600\nG0 X5\nG1 X5\nM2\n")
         for command in ("dry-run", "check"):
-            self.assertIn("G91", self.kerf(command, part, "--start", "first-move", status=1).stderr)
+            self.assertIn("(G91 or G92)", self.kerf(command, part, "--start", "first-move", status=1).stderr)
 
     def test_at_a_first_cut_along_a_curve_is_refused(self):
         for cut in ("G2 X10 Y0 I5", "G2 X10 Y0 R6", "G5 X10 Y0 I1 J1 P-1 Q1"):
@@ -113,6 +113,12 @@ class Fit(Case):
             self.assertFalse(fit["fits"])
             self.assertEqual(fit["axes"]["x"], {"travel_mm": [-500, 500], "over_mm": 15, "fixed_over_mm": 0})
             self.assertEqual(fit["work_offsets"][0]["axes"]["x"], {"origin_mm": 395, "min_mm": -600, "max_mm": 380, "fits_somewhere": True})
+
+    def test_of_travel_with_one_bound_that_one_is_told(self):
+        part = self.path("part.ngc", "G21 G90\nG1 X50 F600\nX-50\nM2\n")
+        for bound, told in (("max_mm = 20", "over by 30.000 mm; travel up to 20 mm\n"), ("min_mm = -20", "over by 30.000 mm; travel from -20 mm\n")):
+            machine = self.path("half.toml", f"[path]\nmax_velocity_mm_s = 100\nmax_acceleration_mm_s2 = 1000\nmax_jerk_mm_s3 = 20000\n[axes.x]\n{bound}\n")
+            self.assertIn(told, self.kerf("check", part, "--machine", machine, status=4).stdout)
 
     def test_what_starts_at_its_first_moves_does_not_fit_for_their_offset_alone(self):
         part = self.path("part.ngc", "G21 G90\nG0 X10\nG1 X50 F3000\nM2\n")

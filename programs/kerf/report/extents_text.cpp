@@ -1,5 +1,6 @@
 #include "programs/kerf/report/extents_text.hpp"
 
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -89,6 +90,19 @@ std::string extents_rows(const FileReport& report) {
   return text;
 }
 
+namespace {
+
+// One of them is finite: the path goes beyond it.
+std::string travel_text(const Travel& travel) {
+  const std::string min = short_number(travel.min_mm);
+  const std::string max = short_number(travel.max_mm);
+  return !std::isfinite(travel.min_mm)   ? "up to " + max
+         : !std::isfinite(travel.max_mm) ? "from " + min
+                                         : min + " to " + max;
+}
+
+}  // namespace
+
 std::string misfit_text(const FileReport& report) {
   if (!report.fit || report.fit->fits() || report.status != ExitStatus::machine_fault) {
     return {};
@@ -99,10 +113,9 @@ std::string misfit_text(const FileReport& report) {
     const AxisFit& axis = report.fit->axes[k];
     if (axis.over_mm > 0.0) {
       fmt::format_to(std::back_inserter(text),
-                     "  {}               {} to {} mm, over by {} mm; travel {} to {} mm\n",
-                     "xyz"[k], fixed_number(box.min_mm[k], 3), fixed_number(box.max_mm[k], 3),
-                     fixed_number(axis.over_mm, 3), short_number(axis.travel.min_mm),
-                     short_number(axis.travel.max_mm));
+                     "  {}               {} to {} mm, over by {} mm; travel {} mm\n", "xyz"[k],
+                     fixed_number(box.min_mm[k], 3), fixed_number(box.max_mm[k], 3),
+                     fixed_number(axis.over_mm, 3), travel_text(axis.travel));
     }
   }
   if (report.fit->extra_excess) {

@@ -168,7 +168,7 @@ tl::expected<Position, std::string> first_places(ProgramFile& file, const Machin
     return tl::unexpected(
         file.name() + ": its first " +
         (agrees ? "move is a curve, whose way depends on" : "moves are relative to") +
-        " the start" + (agrees ? "" : " (G91)") +
+        " the start" + (agrees ? "" : " (G91 or G92)") +
         ", so --start first-move has no place; take --start X,Y,Z");
   }
   return places.from(options.start_mm);
