@@ -104,19 +104,11 @@ void OffsetFollowers::look_at(const parser::Move& move, const std::optional<Exte
   }
 }
 
-// Between two places that follow different offsets a line reaches no farther than they. What a
-// curve does there changes with the offsets, an arc along the other axis, too.
-bool OffsetFollowers::include(const Way& way) {
-  struct Axis {
-    Ranges* from = nullptr;
-    Ranges* to = nullptr;
-    bool moves = false;
-  };
-  std::array<Axis, 3> axes;
-  bool is_other_arc = false;  // with other offsets
+std::array<OffsetFollowers::AxisWay, 3> OffsetFollowers::axes_of(const Way& way) {
+  std::array<AxisWay, 3> axes;
   const parser::Point& shifted_end = *parser::end_mm(shifted_);
   for (std::size_t k = 0; k < 3; ++k) {
-    Axis& axis = axes[k];
+    AxisWay& axis = axes[k];
     axis.moves = !is_at_start_[k] || shifted_end[k] != shifted_.start_mm[k] ||
                  way.end_mm[k] != way.start_mm[k];
     if (!axis.moves) {
@@ -129,21 +121,31 @@ bool OffsetFollowers::include(const Way& way) {
     if (begins && way.end_mm[k] == way.start_mm[k]) {
       axis.from = axis.to;
     }
-    is_other_arc = is_other_arc || (way.kind == Way::Kind::arc && axis.from != axis.to);
   }
+  return axes;
+}
+
+// Between two places that follow different offsets a line reaches no farther than they. What a
+// curve does there changes with the offsets, an arc along the other axis, too.
+bool OffsetFollowers::include(const Way& way) {
+  const std::array<AxisWay, 3> axes = axes_of(way);
+  const bool is_other_arc =
+      way.kind == Way::Kind::arc &&
+      std::ranges::any_of(axes, [](const AxisWay& axis) { return axis.from != axis.to; });
   bool all_known = true;
   for (std::size_t k = 0; k < 3; ++k) {
+    const AxisRange filled{way.box.min_mm[k], way.box.max_mm[k]};
+    const bool spans = filled.max_mm - filled.min_mm > kRounding_mm;
     const auto [from, to, moves] = axes[k];
     if (!moves) {
       continue;
     }
-    const bool spans = way.box.max_mm[k] - way.box.min_mm[k] > kRounding_mm;
-    const bool is_other = (way.kind != Way::Kind::line && from != to) || (is_other_arc && spans);
-    const bool is_known = from != nullptr && to != nullptr && !is_other;
-    extents_.is_known[k] = extents_.is_known[k] && is_known;
-    if (is_known && from == to) {
-      extend((*to)[k], {way.box.min_mm[k], way.box.max_mm[k]});
-    } else if (is_known) {
+    if (from == nullptr || to == nullptr || (from != to && way.kind != Way::Kind::line) ||
+        (is_other_arc && spans)) {
+      extents_.is_known[k] = false;
+    } else if (from == to) {
+      extend((*to)[k], filled);
+    } else {
       extend((*from)[k], {way.start_mm[k], way.start_mm[k]});
       extend((*to)[k], {way.end_mm[k], way.end_mm[k]});
     }

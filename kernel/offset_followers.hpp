@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -56,6 +57,13 @@ class OffsetFollowers {
     Kind kind = Kind::line;
   };
   static Way::Kind kind_of(const parser::Move& move);
+  // Of one axis what its ends follow; null: nobody knows.
+  struct AxisWay {
+    Ranges* from = nullptr;
+    Ranges* to = nullptr;
+    bool moves = false;
+  };
+  std::array<AxisWay, 3> axes_of(const Way& way);
   // False: of an axis it is not known what it follows.
   bool include(const Way& way);
 

@@ -46,8 +46,10 @@ bool begins_path(std::string_view text, const Span& folder) {
   constexpr std::string_view kBefore = " '\"([:,";
   const std::string_view rest = text.substr(folder.end);
   const bool is_unit = rest.starts_with("min") || rest.starts_with("s");
-  const bool is_file = rest.substr(0, rest.find_first_of(" ,;:'\")")).find('.') != rest.npos;
-  const bool is_begin = folder.begin == 0 || kBefore.find(text[folder.begin - 1]) != kBefore.npos;
+  const bool is_file =
+      rest.substr(0, rest.find_first_of(" ,;:'\")")).find('.') != std::string_view::npos;
+  const bool is_begin =
+      folder.begin == 0 || kBefore.find(text[folder.begin - 1]) != std::string_view::npos;
   return is_begin && (is_file || !is_unit);
 }
 
