@@ -59,10 +59,10 @@ TEST(CommandLine, BoundsTheTimeOfAProgramAndTheSizeOfATrace) {
   EXPECT_EQ(of({"--max-time", "2h"}).max_time_s, 7200.0);
   EXPECT_EQ(of({"--max-time", "0.5d"}).max_time_s, 43'200.0);
   EXPECT_EQ(of({"--trace", "t.csv", "--trace-from", "0"}).trace_from_s, 0.0);
-  EXPECT_EQ(of({"--max-trace", "1000"}).max_trace_bytes, 1000U);
-  EXPECT_EQ(of({"--max-trace", "1.5kB"}).max_trace_bytes, 1500U);
-  EXPECT_EQ(of({"--max-trace", "2GB"}).max_trace_bytes, 2'000'000'000U);
-  EXPECT_EQ(of({"--max-trace", "3MiB"}).max_trace_bytes, 3U << 20U);
+  EXPECT_EQ(of({"--trace", "t.csv", "--max-trace", "1000"}).max_trace_bytes, 1000U);
+  EXPECT_EQ(of({"--trace", "t.csv", "--max-trace", "1.5kB"}).max_trace_bytes, 1500U);
+  EXPECT_EQ(of({"--trace", "t.csv", "--max-trace", "2GB"}).max_trace_bytes, 2'000'000'000U);
+  EXPECT_EQ(of({"--trace", "t.csv", "--max-trace", "3MiB"}).max_trace_bytes, 3U << 20U);
   for (const char* const time :
        {"0", "-1", "h", "2 h", "2hours", "nan", "inf", "1e3", "20000000000"}) {
     EXPECT_NE(refusal({"check", "a.ngc", "--max-time", time}), "accepted") << time;
