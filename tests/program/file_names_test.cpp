@@ -37,9 +37,9 @@ TEST(FileNames, AreNoUnitsThatEndLikeAFolder) {
   FileReport report;
   report.file = "mm/part.ngc";
   report.diagnostics.emplace_back(diagnostics::SourcePosition{}, errors::kUnknownGCode,
-                                  "a feed of 20000 mm/min, by 'mm/drill.ngc' and mm/mill.ngc");
+                                  "a feed of 20000 mm/min, by 'mm/drill.ngc' and mm/slot");
   const FileReport named = with_file_names(report);
-  EXPECT_EQ(named.diagnostics[0].message, "a feed of 20000 mm/min, by 'drill.ngc' and mill.ngc");
+  EXPECT_EQ(named.diagnostics[0].message, "a feed of 20000 mm/min, by 'drill.ngc' and slot");
 }
 
 TEST(FileNames, StayWhatTheyAreWithoutFolders) {

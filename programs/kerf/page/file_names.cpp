@@ -45,12 +45,11 @@ struct Span {
 bool begins_path(std::string_view text, const Span& folder) {
   constexpr std::string_view kBefore = " '\"([:,";
   const std::string_view rest = text.substr(folder.end);
-  const bool is_unit = rest.starts_with("min") || rest.starts_with("s");
-  const bool is_file =
-      rest.substr(0, rest.find_first_of(" ,;:'\")")).find('.') != std::string_view::npos;
+  const std::string_view name = rest.substr(0, rest.find_first_of(" ,;:'\")"));
+  const bool is_unit = name == "min" || name == "s" || name == "s2" || name == "s3";
   const bool is_begin =
       folder.begin == 0 || kBefore.find(text[folder.begin - 1]) != std::string_view::npos;
-  return is_begin && (is_file || !is_unit);
+  return is_begin && !is_unit;
 }
 
 void leave_out(std::string& text, const std::string& folder) {

@@ -13,8 +13,8 @@ double NominalLines::nominal_s(const smoothing::PathSegment& segment) const {
   const double length_mm = curves::length_mm(segment.curve);
   double duration_s = 0.0;
   if (!segment.rapid && segment.feedrate_mm_s > 0.0) {
-    const double override = segment.follows.feed ? feed_override_ : 1.0;
-    duration_s = length_mm / (override * segment.feedrate_mm_s);
+    const double followed = segment.follows.feed ? feed_override_ : 1.0;
+    duration_s = length_mm / (followed * segment.feedrate_mm_s);
   }
   if (!segment.extra.alone) {
     duration_s = std::max(duration_s, length_mm / limits_.path.velocity_mm_s);
