@@ -61,6 +61,7 @@ bool Delivery::deliver(const Until& until) {
     }
     output_changes_counted_ = phase.output_changes;
     frozen_until_tick_ = phase.begin.tick;
+    last_ = phase;
     ++phases_sent_;
   }
   forget_sent();
@@ -107,10 +108,29 @@ void Delivery::append_path(const lookahead::Outbox& plan) {
   append(outbox_.output_changes, plan.output_changes);
 }
 
-bool Delivery::commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {
+Delivery::Committed Delivery::commit(const lookahead::Planner::PlannedStopAhead& ahead,
+                                     std::uint32_t from) {
   append_path(ahead.outbox);
   send_path();
-  return write_stop(ahead, from) ? commit(interp::MotionQueue::Ahead::written) : commit();
+  if (!write_stop(ahead, from)) {
+    return Committed::no_room;
+  }
+  return commit(interp::MotionQueue::Ahead::written) ? Committed::yes : Committed::stop_taken;
+}
+
+double Delivery::missing_mm(const lookahead::Planner::PlannedStopAhead& ahead) const {
+  const interp::Phase& last = ahead.outbox.phases.back();
+  double missing = 0.0;
+  for (std::size_t i = pieces_sent_; i < outbox_.pieces.size(); ++i) {
+    const interp::CurvePiece& piece = outbox_.pieces[i];
+    const double begin = curves::s_begin_mm(piece.geometry);
+    if (piece.curve > last.curve || (piece.curve == last.curve && begin >= last.s_end_mm)) {
+      break;
+    }
+    const double end = curves::s_end_mm(piece.geometry);
+    missing += (piece.curve == last.curve ? std::min(end, last.s_end_mm) : end) - begin;
+  }
+  return missing;
 }
 
 bool Delivery::write_stop(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from) {

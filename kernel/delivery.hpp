@@ -40,12 +40,20 @@ class Delivery {
 
   // The tick side gets what was moved. False: it has taken the stop ahead, and goes no farther.
   bool commit() { return commit(interp::MotionQueue::Ahead::none); }
-  // The same, with a way to rest for the tick by which nothing else has come. That goes without
-  // where it does not fit.
-  bool commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from);
+  // The same, with a way to rest for the tick by which nothing else has come.
+  enum class Committed : std::uint8_t {
+    yes,
+    stop_taken,  // the tick side has taken the stop ahead, and goes no farther
+    no_room      // for the path of that way to rest, yet: nothing is committed
+  };
+  Committed commit(const lookahead::Planner::PlannedStopAhead& ahead, std::uint32_t from);
   // The tick side follows its stop ahead; what waits is superseded.
   void follow_stop();
 
+  // Of the path up to the end of that way to rest, how much has no room yet.
+  [[nodiscard]] double missing_mm(const lookahead::Planner::PlannedStopAhead& ahead) const;
+  // All phases were moved, and the path to the end of the last one is in the queue.
+  [[nodiscard]] bool is_whole() const { return outbox_.phases.empty() && may_end_with(last_); }
   // The tick at which the last delivered phase begins.
   [[nodiscard]] std::int64_t frozen_until_tick() const noexcept { return frozen_until_tick_; }
 
@@ -81,6 +89,7 @@ class Delivery {
   std::uint64_t output_changes_gone_ = 0;     // that are in the outbox no more
   std::uint64_t output_changes_counted_ = 0;  // by the phases that were sent
   std::int64_t frozen_until_tick_ = 0;
+  interp::Phase last_{};  // that was delivered
 };
 
 }  // namespace kerf

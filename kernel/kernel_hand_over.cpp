@@ -23,7 +23,7 @@ void Kernel::Impl::hand_over() {
     queue_.commit();  // the stop ahead stays: the plan may be refused
     return;
   }
-  if (!keeps_stop_ || (delivery_.outbox().phases.empty() && pipeline_.ends_at_rest())) {
+  if (!keeps_stop_ || (delivery_.is_whole() && pipeline_.ends_at_rest())) {
     commit();
     return;
   }
@@ -44,46 +44,67 @@ void Kernel::Impl::hand_over() {
 void Kernel::Impl::commit_up_to(std::int64_t until) {
   const std::int64_t emitted = pipeline_.emitted_until_tick();
   const std::int64_t earliest = std::max(committed_until_tick_, now()) + 1;
-  if (earliest > emitted) {
+  if (earliest > emitted || now() < next_commit_tick_) {
     return;
   }
   std::int64_t tick = until - margin_ticks_;
-  for (std::int64_t step = margin_ticks_; tick > earliest; tick -= step *= 2) {
-    if (commit_with_stop(tick)) {
+  bool has_room = true;
+  for (std::int64_t step = margin_ticks_; tick > earliest;) {
+    const StopCommit found = commit_with_stop(tick);
+    if (found.done) {
       return;
     }
+    has_room &= found.too_late_ticks == 0;
+    tick -= std::max(step *= 2, found.too_late_ticks);
   }
-  if (commit_with_stop(earliest)) {
+  if (commit_with_stop(earliest).done) {
+    return;
+  }
+  if (!has_room) {
+    next_commit_tick_ = now() + horizon_ticks_ / kPartsOfHorizon;  // until the tool has moved on
     return;
   }
   // Within a ramp that takes all of the acceleration there may be none, and after it there is.
   tick = until + 1;
-  for (std::int64_t step = margin_ticks_; tick < emitted && !commit_with_stop(tick);) {
+  for (std::int64_t step = margin_ticks_; tick < emitted && !commit_with_stop(tick).done;) {
     tick += step *= 2;
   }
 }
 
-bool Kernel::Impl::commit_with_stop(std::int64_t tick) {
+Kernel::Impl::StopCommit Kernel::Impl::commit_with_stop(std::int64_t tick) {
   auto ahead = pipeline_.stop_ahead(tick);
   if (!ahead) {
-    return false;
+    return {};
   }
   const std::int64_t until = ahead->stop.from.when.tick;
   delivery_.deliver(until);
   if (pipeline_.ends_at_rest() && ahead->stop.from.at_rest() &&
       until == pipeline_.emitted_until_tick()) {
     // The plan ends with that rest: what waits there or ends the program is the plan's own.
-    if (!delivery_.outbox().phases.empty()) {
-      return false;
+    if (!delivery_.is_whole()) {
+      return {};
     }
     commit();
-    return true;
+    return {.done = true};
   }
-  if (delivery_.commit(*ahead, pipeline_.plan())) {
-    committed_until_tick_ = until;
-    stop_ahead_ = std::move(ahead);
+  switch (delivery_.commit(*ahead, pipeline_.plan())) {
+    case Delivery::Committed::no_room:
+      return {.too_late_ticks = too_late_ticks(*ahead)};
+    case Delivery::Committed::yes:
+      committed_until_tick_ = until;
+      stop_ahead_ = std::move(ahead);
+      break;
+    case Delivery::Committed::stop_taken:
+      break;
   }
-  return true;
+  return {.done = true};
+}
+
+std::int64_t Kernel::Impl::too_late_ticks(const lookahead::Planner::PlannedStopAhead& ahead) const {
+  const double missing_mm = delivery_.missing_mm(ahead);
+  const double tick_mm = ahead.stop.from.v_mm_s * period_s_;
+  const auto all = static_cast<double>(horizon_ticks_);
+  return 1 + static_cast<std::int64_t>(missing_mm < all * tick_mm ? missing_mm / tick_mm : all);
 }
 
 void Kernel::Impl::commit() {

@@ -189,8 +189,15 @@ class KERF_LOCAL Kernel::Impl {
 
   // With a way to rest from there or near it, if there is one.
   void commit_up_to(std::int64_t until);
-  // False: there is no way to rest from the tick on, or it is the plan's own, which does not fit.
-  bool commit_with_stop(std::int64_t tick);
+  // Not done: there is no way to rest from the tick on, or no room for its path yet, of which so
+  // many ticks less would do.
+  struct StopCommit {
+    bool done = false;
+    std::int64_t too_late_ticks = 0;
+  };
+  StopCommit commit_with_stop(std::int64_t tick);
+  [[nodiscard]] std::int64_t too_late_ticks(
+      const lookahead::Planner::PlannedStopAhead& ahead) const;
 
   void commit();
 
@@ -258,6 +265,7 @@ class KERF_LOCAL Kernel::Impl {
   std::int64_t announced_ticks_;
   bool keeps_stop_;
   std::int64_t committed_until_tick_ = 0;
+  std::int64_t next_commit_tick_ = 0;  // at the earliest: the queue was full
   // The latest that was committed.
   std::optional<lookahead::Planner::PlannedStopAhead> stop_ahead_{};
   Overrides overrides_{};

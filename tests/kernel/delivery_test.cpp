@@ -136,6 +136,59 @@ TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
   EXPECT_EQ(delivery.take_over(plan_that_takes_over(), 0, &ahead), Delivery::HandedOver::for_good);
 }
 
+// Found by reading: the phases went without a way to rest, and where planning was late the motion
+// ended with them.
+TEST(Delivery, CommitsNothingWhoseWayToRestDoesNotFit) {
+  const auto queue = std::make_unique<MotionQueue>();
+  Delivery delivery(*queue, [] {});
+  delivery.outbox().pieces.push_back(piece(30.0));
+  delivery.outbox().phases = {cruise_phase(0.0, 10.0)};
+  EXPECT_TRUE(delivery.deliver(kFar));
+  EXPECT_TRUE(delivery.is_whole());
+  lookahead::Planner::PlannedStopAhead ahead;
+  ahead.plan = 2;
+  for (std::size_t i = 0; i <= MotionQueue::kPieces; ++i) {
+    ahead.outbox.pieces.push_back(piece(1.0));
+    ahead.outbox.pieces.back().curve = i + 2;
+  }
+  ahead.outbox.phases = {of_plan(2, cruise_phase(0.0, 0.5))};
+  ahead.outbox.phases.back().curve = MotionQueue::kPieces + 2;
+  EXPECT_EQ(delivery.commit(ahead, 0), Delivery::Committed::no_room);
+  EXPECT_EQ(queue->next_phase(), nullptr);
+  EXPECT_FALSE(queue->has_stop());
+  EXPECT_EQ(delivery.missing_mm(ahead), 1.0 + 0.5);  // two pieces
+
+  queue->pop_piece();
+  queue->pop_piece();
+  ahead.outbox.pieces.clear();
+  EXPECT_EQ(delivery.commit(ahead, 0), Delivery::Committed::yes);
+  EXPECT_NE(queue->next_phase(), nullptr);
+  EXPECT_TRUE(queue->has_stop());
+}
+
+// A phase may lead over more pieces than the ring holds.
+TEST(Delivery, IsWholeWithThePathToItsEnd) {
+  const auto queue = std::make_unique<MotionQueue>();
+  Delivery delivery(*queue, [] {});
+  constexpr std::size_t kPieces = MotionQueue::kPieces + 1;
+  for (std::size_t i = 0; i < kPieces; ++i) {
+    interp::CurvePiece part = piece(1.0);
+    part.curve = i + 1;
+    delivery.outbox().pieces.push_back(part);
+  }
+  delivery.outbox().phases = {cruise_phase(0.0, 1.0), cruise_phase(0.0, 1.0)};
+  delivery.outbox().phases.back().curve = kPieces - 1;
+  EXPECT_TRUE(delivery.deliver(kFar));
+  EXPECT_TRUE(delivery.is_whole());
+  delivery.outbox().phases = {cruise_phase(0.0, 1.0)};
+  delivery.outbox().phases.back().curve = kPieces;
+  EXPECT_FALSE(delivery.deliver(kFar));
+  EXPECT_FALSE(delivery.is_whole());
+  queue->pop_piece();
+  EXPECT_TRUE(delivery.deliver(kFar));
+  EXPECT_TRUE(delivery.is_whole());
+}
+
 // It has been made, and is not made again.
 TEST(Delivery, KeepsThePathOfAWayToRestWhosePlanDoesNotFit) {
   const auto queue = std::make_unique<MotionQueue>();
