@@ -194,9 +194,6 @@ bool Controller::Impl::change(control::StateWord::Seen& from, State to) noexcept
   if (!state_.change(from, to)) {
     return false;
   }
-  if (to == State::fault || to == State::off) {
-    has_failed_ = to == State::fault;
-  }
   if (before == to) {
     return true;
   }

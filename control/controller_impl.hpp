@@ -190,7 +190,6 @@ class KERF_LOCAL Controller::Impl {
   MachineSettings settings_;
   KernelOptions options_;  // `nominal` is of the program that is started next
   control::StateWord state_;
-  std::atomic<bool> has_failed_ = false;  // since the last reset
   std::atomic<std::uint64_t> programs_ = 0;
   std::atomic<std::int64_t> run_ticks_ = 0;
   std::atomic<bool> wants_text_ = false;

@@ -157,9 +157,10 @@ void Controller::Impl::leave_for(State next) noexcept {
 }
 
 bool Controller::Impl::drives_on() const noexcept {
-  const State state = state_.state();
+  const control::StateWord::Seen seen = state_.load();
+  const State state = seen.state();
   return state != State::off && state != State::fault &&
-         (state != State::emergency_stop || (running_.load() != nullptr && !has_failed_.load()));
+         (state != State::emergency_stop || (running_.load() != nullptr && !seen.has_failed()));
 }
 
 WaitsFor Controller::Impl::waits_for(State state) const noexcept {
