@@ -5,9 +5,9 @@
 // optimum: the time optimum of every shipped curve beside its reference. kerf-bench parse: text to
 // moves, long programs; with the name of one, that one read once for counting instructions.
 // kerf-bench soak [--seed N]
-// [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]: random curves and
-// programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs of short
-// lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
+// [--last M] [--seconds S] [--kind smoothed|degenerate|control|milling] [--fingerprints]: random
+// curves and programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs
+// of short lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
 // streaming: the time optimum in a window beside one over everything. kerf-bench parts [NAME]
 // [--quick]
 // [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
@@ -49,10 +49,14 @@ std::optional<kerf::bench::SoakKind> soak_kind(const std::string& name) {
   if (name == "degenerate") {
     return SoakKind::degenerate;
   }
+  if (name == "milling") {
+    return SoakKind::milling;
+  }
   return name == "control" ? std::optional(SoakKind::control) : std::nullopt;
 }
 
-// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate|control] [--fingerprints]
+// soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate|control|milling]
+// [--fingerprints]
 std::optional<kerf::bench::Soak> soak_order(const std::vector<std::string>& words) {
   kerf::bench::Soak order;
   for (std::size_t i = 2; i < words.size(); i += 2) {

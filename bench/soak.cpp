@@ -76,10 +76,11 @@ struct Tally {
   double worst_chord = 0.0;
 };
 
-void judge_commands(std::uint64_t seed, Tally& tally) {
+void judge_commands(std::uint64_t seed, SoakKind kind, Tally& tally) {
   constexpr std::uint64_t kOverrideSteps = 41;
   const test::CommandedRun run = test::commanded_run(
-      seed, seed % kOverrideSteps == 0 ? test::Commands::override_steps : test::Commands::all);
+      seed, seed % kOverrideSteps == 0 ? test::Commands::override_steps : test::Commands::all,
+      kind == SoakKind::milling ? test::Programs::milling : test::Programs::exact);
   ++tally.runs;
   tally.ticks += run.ticks;
   for (std::size_t i = 0; i < test::kFigures; ++i) {
@@ -93,11 +94,7 @@ void judge_commands(std::uint64_t seed, Tally& tally) {
   }
 }
 
-void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
-  if (order.kind == SoakKind::control) {
-    judge_commands(seed, tally);
-    return;
-  }
+void judge_run(std::uint64_t seed, const Soak& order, Tally& tally) {
   const SoakKind kind = order.kind;
   const Trial trial = trial_of(seed, kind);
   JudgedRun run = test::judged_run(trial.program, trial.settings, trial.way);
@@ -134,6 +131,14 @@ void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
                 std::string(profiles::name_of(trial.way.kind)).c_str(), trial.way.window_blocks,
                 run.complaint.c_str());
     std::fflush(stdout);
+  }
+}
+
+void judge(std::uint64_t seed, const Soak& order, Tally& tally) {
+  if (order.kind == SoakKind::control || order.kind == SoakKind::milling) {
+    judge_commands(seed, order.kind, tally);
+  } else {
+    judge_run(seed, order, tally);
   }
 }
 

@@ -10,6 +10,7 @@ enum class SoakKind : std::uint8_t {
   smoothed,    // short lines in G64, whose deviation is judged, too
   degenerate,  // moves that are as good as none among ordinary ones
   control,     // an operator's commands at random ticks; of every 41st program overrides alone
+  milling,     // the same in programs with blends, merged runs, rapids and waits
 };
 
 struct Soak {

@@ -113,6 +113,7 @@ Trial trial_of(std::uint64_t seed, SoakKind kind) {
     case SoakKind::degenerate:
       return degenerate_trial(seed);
     case SoakKind::control:  // has trials of its own
+    case SoakKind::milling:  // the same
     case SoakKind::mixed:
       break;
   }

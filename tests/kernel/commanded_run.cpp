@@ -11,6 +11,7 @@
 #include "tests/kernel/planned_path.hpp"
 #include "tests/kernel/random_program.hpp"
 #include "tests/kernel/shipped_text.hpp"
+#include "tests/kernel/smoothing_program.hpp"
 
 namespace kerf::test {
 
@@ -18,7 +19,7 @@ namespace {
 
 using interp::Setpoint;
 
-constexpr std::int64_t kMaxTicks = 200'000;
+constexpr std::int64_t kMaxTicks = 2'000'000;
 constexpr std::int64_t kLatest = 700;  // ticks without planning
 
 enum class Order : std::uint8_t { hold, late, override, single_block, stop, emergency_stop };
@@ -54,6 +55,18 @@ std::vector<Timed> random_orders(std::mt19937_64& random, std::int64_t whole_tic
   return orders;
 }
 
+// For a program in G64: 10 to 200 % of the spindle's speed with each override. In single block
+// lines are not merged, so it has a path of its own: half of the programs go without.
+void fit_to_milling(std::mt19937_64& random, std::vector<Timed>& orders) {
+  const bool leaves_path = random() % 2 == 0;
+  for (Timed& timed : orders) {
+    timed.overrides.spindle = 0.1 * static_cast<double>(1 + random() % 20);
+    if (leaves_path && timed.order == Order::single_block) {
+      timed.order = Order::hold;
+    }
+  }
+}
+
 std::vector<Timed> override_steps(std::mt19937_64& random, std::int64_t whole_ticks) {
   constexpr std::int64_t kStepTicks = 10;
   std::vector<Timed> orders;
@@ -73,7 +86,7 @@ std::string to_text(const std::vector<Timed>& orders) {
     text += std::to_string(timed.tick) + " " + kNames.at(static_cast<std::size_t>(timed.order)) +
             " " + std::to_string(timed.ticks) + (timed.after_rest ? "" : " early") + " " +
             std::to_string(timed.overrides.feed) + " " + std::to_string(timed.overrides.rapid) +
-            ", ";
+            " " + std::to_string(timed.overrides.spindle) + ", ";
   }
   return text;
 }
@@ -172,20 +185,28 @@ std::vector<Setpoint> whole_run(const std::string& text, const KernelOptions& op
 
 }  // namespace
 
-CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
+CommandedRun commanded_run(std::uint64_t seed, Commands commands, Programs programs) {
   constexpr std::array kKinds{ProfileKind::s_curve, ProfileKind::time_optimal,
                               ProfileKind::quintic};
   std::mt19937_64 random(seed);
+  const bool mills = programs == Programs::milling;
   const RandomProgram program =
-      random_program(seed, {.blocks = 8, .longest_mm = seed % 3 == 0 ? 5.0 : 60.0});
+      mills ? milling_program(seed)
+            : random_program(seed, {.blocks = 8, .longest_mm = seed % 3 == 0 ? 5.0 : 60.0});
   KernelOptions options{.profile = {.kind = kKinds[random() % kKinds.size()]}};
   options.start_mm = program.start_mm;
   const std::vector<Setpoint> whole = whole_run(program.text, options);
   const PlannedPath path(mill(), options, program.text);
-  const std::vector<Timed> orders = commands == Commands::all
-                                        ? random_orders(random, whole.back().tick)
-                                        : override_steps(random, whole.back().tick);
+  std::vector<Timed> orders = commands == Commands::all ? random_orders(random, whole.back().tick)
+                                                        : override_steps(random, whole.back().tick);
   const bool has_threads = random() % 2 == 0;
+  bool has_path_of_whole = true;
+  if (mills) {
+    fit_to_milling(random, orders);
+    has_path_of_whole =
+        std::ranges::find(orders, Order::single_block, &Timed::order) == orders.end();
+    options.waits = true;
+  }
 
   Kernel kernel(mill(), options);
   kernel.feed(program.text);
@@ -213,7 +234,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands) {
     if (!by.emergency()) {
       checker.add({.setpoint = setpoint, .feedrate_mm_s = 150.0});
     }
-    off_mm = std::max(off_mm, path.off_mm(setpoint));
+    off_mm = std::max(off_mm, has_path_of_whole ? path.off_mm(setpoint) : 0.0);
     starves_in_motion |= status == TickStatus::starved && setpoint.v_mm_s != 0.0;
     for (const double x : setpoint.position_mm) {
       run.fingerprint = run.fingerprint * 1'099'511'628'211U + std::bit_cast<std::uint64_t>(x);

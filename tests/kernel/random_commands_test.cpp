@@ -24,6 +24,19 @@ TEST_P(RandomCommands, KeepLimitsPathAndEnd) {
 
 INSTANTIATE_TEST_SUITE_P(Shard, RandomCommands, testing::Range<std::uint64_t>(0, 10));
 
+class RandomMillingCommands : public testing::TestWithParam<std::uint64_t> {};
+
+// In blends and merged runs, at waits, in rapids and feeds a revolution.
+TEST_P(RandomMillingCommands, KeepLimitsPathAndEnd) {
+  for (std::uint64_t i = 0; i < kRuns / 2; ++i) {
+    const std::uint64_t seed = 110'000'000 + GetParam() * kRuns + i;
+    const CommandedRun run = commanded_run(seed, Commands::all, Programs::milling);
+    ASSERT_EQ(run.complaint, "") << "seed " << seed << ": " << run.commands;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Shard, RandomMillingCommands, testing::Range<std::uint64_t>(0, 4));
+
 TEST(OverrideSteps, MayComeEveryTenMilliseconds) {
   for (std::uint64_t seed = 1; seed <= kRuns / 5; ++seed) {
     const CommandedRun run = commanded_run(seed, Commands::override_steps);

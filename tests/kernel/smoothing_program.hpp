@@ -14,4 +14,8 @@ RandomMoves smoothing_moves(std::uint64_t seed);
 // These moves, with no path to be held against: it departs from it.
 RandomProgram smoothing_program(std::uint64_t seed);
 
+// The same with what stands between moves: rapids, dwells, stops, outputs, speeds of the spindle,
+// some of them in G95.
+RandomProgram milling_program(std::uint64_t seed);
+
 }  // namespace kerf::test
