@@ -200,8 +200,7 @@ TEST(Controller, IsStoppedByAThreadOfItsOwn) {
   EXPECT_LT(shop.setpoint.position_mm[0], 1000.0);
 }
 
-// By its number in the list of faults, as in tests/kernel/faults_test.cpp.
-TEST(Fault55, AResumeBehindAnAbortIsRefused) {
+TEST(Controller, RefusesAResumeBehindAStopThatEndsAHold) {
   const auto tick = [](Controller& controller, int count) {
     Setpoint setpoint;
     for (int i = 0; i < count; ++i) {

@@ -5,11 +5,13 @@
 #include <string>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
 
+#include "parser/text/letters.hpp"
 #include "tests/kernel/run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 
@@ -180,6 +182,41 @@ TEST(EmergencyStop, OnALineTakesTheShortestWay) {
   const Stopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {});
   EXPECT_NEAR(stopped.ticks.back().s_mm - stopped.ticks[1].s_mm, 100.0 * 100.0 / 4000.0, 1e-6);
   EXPECT_EQ(stopped.ticks.back().v_mm_s, 0.0);
+}
+
+TEST(EmergencyStop, KeepsTheAccelerationOfThePathWhereTheAxesHaveMore) {
+  MachineSettings machine = mill();
+  machine.limits.path.acceleration_mm_s2 = 800.0;
+  const Stopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {}, machine);
+  EXPECT_NEAR(stopped.ticks.back().s_mm - stopped.ticks[1].s_mm, 100.0 * 100.0 / 1600.0, 1e-6);
+}
+
+// Of an axis at constant velocity, in step with the path or alone: v^2 / 2A.
+TEST(EmergencyStop, TakesTheWholeAccelerationOfAFurtherAxisThatBrakesTheLeast) {
+  constexpr std::size_t kA = 0;
+  constexpr std::size_t kU = 3;
+  MachineSettings machine = mill();
+  machine.program.extra_axes = parser::letters('A', 'U');
+  machine.limits.extra[kA] = {
+      .velocity_mm_s = 3.0, .acceleration_mm_s2 = 30.0, .jerk_mm_s3 = 600.0};
+  machine.limits.extra[kU] = {
+      .velocity_mm_s = 20.0, .acceleration_mm_s2 = 200.0, .jerk_mm_s3 = 4e3};
+  for (const auto& [move, axis] : {std::pair{"X500 A600", kA},
+                                   {"X500 Y300 A900 U50", kA},
+                                   {"X500 A90 U300", kU},
+                                   {"A600", kA}}) {
+    SCOPED_TRACE(move);
+    const Stopped stopped =
+        stop_at(1200, std::string("G21 G90 G61\nG1 F6000 ") + move + "\nM2\n", {}, machine);
+    ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
+    const auto at = [&](const Setpoint& tick) { return tick.extra_rad_mm.at(axis); };
+    const double velocity = (at(stopped.ticks[1]) - at(stopped.ticks[0])) / 1e-3;
+    EXPECT_GT(velocity, 1.0);
+    EXPECT_NEAR(at(stopped.ticks.back()) - at(stopped.ticks[1]),
+                velocity * velocity / (2.0 * machine.limits.extra.at(axis).acceleration_mm_s2),
+                1e-6);
+    EXPECT_LE(largest_share(stopped.ticks, machine), kRounding);
+  }
 }
 
 TEST(EmergencyStop, TurnsSpindleAndCoolantOffAtOnce) {

@@ -48,6 +48,28 @@ TEST(Hold, MayComeWhileTheToolBrakesAndAgainBehindIt) {
   }
 }
 
+// From there on it is another program's: from that place, by the same profile.
+TEST(Hold, GoesOnWithTheChosenProfileBehindItsRest) {
+  for (const ProfileKind kind : {ProfileKind::sine, ProfileKind::quintic, ProfileKind::sigmoid,
+                                 ProfileKind::sine_series, ProfileKind::s_curve}) {
+    SCOPED_TRACE(name_of(kind));
+    const KernelOptions options{.profile = {.kind = kind}};
+    const WatchedRun run =
+        run_held({.text = "G21 G90 G61\nG1 X200 F6000\nM2\n", .options = options}, {1000});
+    EXPECT_EQ(run.complaint, "");
+    KernelOptions there = options;
+    there.start_mm = run.first_held().position_mm;
+    const WholeRun rest = ticks_of("G21 G90 G61\nG1 X200 F6000\nM2\n", there);
+    const auto moves = [](const Setpoint& tick) { return tick.v_mm_s > 0.0; };
+    const auto begin = std::find_if(run.ticks.end() - std::ssize(rest), run.ticks.end(), moves);
+    const auto rest_begin = std::ranges::find_if(rest, moves);
+    ASSERT_EQ(run.ticks.end() - begin, rest.end() - rest_begin);
+    for (std::ptrdiff_t i = 0; i < rest.end() - rest_begin; ++i) {
+      ASSERT_NEAR(begin[i].v_mm_s, rest_begin[i].v_mm_s, 1e-6) << i;
+    }
+  }
+}
+
 // A plan that reaches as far as it may fills the queue; there is room for a hold and an override.
 TEST(Hold, IsHeededHoweverFarIsPlanned) {
   std::string text = "G21 G90 G61 F600\n";

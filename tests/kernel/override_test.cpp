@@ -275,6 +275,27 @@ TEST(Override, OfZeroHoldsUntilAnotherComes) {
   EXPECT_NEAR(fastest_mm_s(run.ticks, 1500, run.ticks.size()), 40.0, 1e-6);
 }
 
+// While the plan of the first is on its way to the ticks, and before one is made.
+TEST(Override, IsTheLastOneWhereSomeComeAtOnce) {
+  const std::string text = "G21 G90\nG1 X200 F3000\nM2\n";
+  for (const std::int64_t apart : {0, 1, 3, 8}) {
+    for (const double last : {0.4, 1.6}) {
+      SCOPED_TRACE(std::to_string(apart) + " ticks, " + std::to_string(last));
+      const WatchedRun run =
+          watched_run({.text = text}, [&](Kernel& kernel, const WatchedRun& ran) {
+            if (ran.next() == 500) {
+              EXPECT_TRUE(kernel.set_overrides({.feed = 2.0 - last}));
+            }
+            if (ran.next() == 500 + apart) {
+              EXPECT_TRUE(kernel.set_overrides({.feed = last}));
+            }
+          });
+      expect_whole(run, ticks_of(text));
+      EXPECT_NEAR(run.ticks.at(800).v_mm_s, 50.0 * last, 0.05);
+    }
+  }
+}
+
 // The rest of the hold was planned, and is not come to.
 TEST(Override, MayComeWhileTheToolBrakesForAHoldThatIsTakenBack) {
   const auto whole = ticks_of(mixed_program());
