@@ -13,8 +13,8 @@ enum class ExitStatus : int {
   machine_fault = 4,   // a soft limit, before motion or in it, or another fault of the machine
   io_error = 5,        // a file cannot be read or written, or the system gives no memory, no thread
   internal_error = 6,  // a defect of kerf
-  stopped = 7,         // by the person at the terminal, on the path
-  emergency_stop = 8,  // the same, at once
+  stopped = 7,         // on the path: by key, control channel or door, or no start was confirmed
+  emergency_stop = 8,  // of an operator or of the machine
   hung_up = 129,       // SIGHUP, SIGINT, SIGTERM: 128 + signal number, after a stop on the path
   interrupted = 130,   // SIGQUIT, too
   terminated = 143,

@@ -163,7 +163,7 @@ std::variant<Options, Leave> parse_options(int argc, const char* const* argv) {
       "Kerf: a motion kernel for CNC machines.\n"
       "Exit status: 0 done, 1 program error, 2 wrong use, 3 machine file error,\n"
       "4 limit or machine fault, 5 input or output failed, 6 defect of kerf,\n"
-      "7 stopped at the terminal, 8 emergency stop,\n"
+      "7 stopped on the path, 8 emergency stop,\n"
       "129 hung up, 130 interrupted, 143 terminated.",
       "kerf");
   app.set_version_flag("--version", "kerf " KERF_VERSION);
