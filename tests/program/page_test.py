@@ -2,6 +2,7 @@
 """What `kerf report` and `kerf view` write, without a browser: the page around the plans, and what the plans say."""
 import base64
 import json
+import math
 import os
 import pathlib
 import re
@@ -94,6 +95,15 @@ class Report(Case):
         begins = sections["runs.tick"]
         for begin, line in zip(begins, sections["runs.line"]):
             self.assertEqual(int(rows[int(begin)][1]), line)
+
+    def test_of_a_million_lines_takes_less_than_25_megabytes(self):
+        # A rose of three petals over and over, in lines of a tenth of a millimetre; the page itself is one megabyte.
+        text = "G21 G90 G64 P0.01 Q0.01 F6000\n" + "".join(
+            f"G1 X{80 * math.sin(u * 3) * math.cos(u):.3f} Y{80 * math.sin(u * 3) * math.sin(u):.3f}\n"
+            for u in (i * 6e-4 for i in range(1_000_000))) + "M2\n"
+        self.report(self.path("rose.ngc", text))
+        self.assertLess(os.path.getsize(self.page), 24_000_000)
+        self.assertGreater(os.path.getsize(self.page), 1_000_000)
 
     def test_has_nothing_of_a_program_but_base64(self):
         name = self.path("<script>alert`3`<", HOSTILE)

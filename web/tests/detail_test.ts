@@ -3,7 +3,7 @@ import { test } from "node:test";
 import type { Path } from "../src/plan/plan.ts";
 import { NOT_SEEN, chunksOf, levelsFor, type Sight } from "../src/views/path_detail.ts";
 import { PathPaint, MOST_STRETCHES } from "../src/views/path_paint.ts";
-import { linesBetween, rapidWays } from "../src/views/stretches.ts";
+import { boxOfCut, linesBetween, rapidWays } from "../src/views/stretches.ts";
 
 let seed = 5;
 const random = (): number => (seed = (seed * 16807) % 2147483647) / 2147483647;
@@ -167,4 +167,12 @@ test("dashes of a rapid go on over its points and begin anew with the next", () 
   const lines = linesBetween(path, [0, 1, 2, 3, 4, 5], rapidWays(path), () => undefined);
   assert.deepEqual([...lines.dashed], [1, 1, 0, 1, 1]);
   assert.deepEqual([...lines.along], [0, 10, 20, 0, 10]);
+});
+
+test("what is fitted into view is where the tool cuts, not its way from machine zero", () => {
+  // A rest before the first cut is none.
+  const points = [[0, 0, 0], [300, 200, 50], [300, 200, 50], [310, 200, -2], [310, 220, -2], [0, 0, 100]] as const;
+  const at = (i: number): readonly [number, number, number] => points[i]!;
+  assert.deepEqual(boxOfCut(pathOf(points.length, at, (i) => [1, 5].includes(i))), { min: [300, 200, -2], max: [310, 220, 50] });
+  assert.deepEqual(boxOfCut(pathOf(points.length, at, () => true)), { min: [0, 0, -2], max: [310, 220, 100] });
 });

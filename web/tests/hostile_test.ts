@@ -32,6 +32,14 @@ test("has no place for a script that is not its own", async () => {
   await page.context().close();
 });
 
+test("its policy lets in its own script and style, and nothing else", async () => {
+  const { page } = await openReport([pocket]);
+  const policy = (await page.locator("meta[http-equiv=Content-Security-Policy]").getAttribute("content")) ?? "";
+  const hash = "'sha256-[A-Za-z0-9+/]{43}='";
+  assert.match(policy, new RegExp(`^default-src 'none'; script-src ${hash}; style-src ${hash}; base-uri 'none'; form-action 'none'$`));
+  await page.context().close();
+});
+
 test("bears a line of ten million characters and a million errors", async () => {
   const { page, said } = await openReport([programFile(`G21 G90 F3000\n(${"x".repeat(10_000_000)})\n${"G1 Xq\n".repeat(1_000_000)}M30\n`)]);
   assert.match(await textOf(page, "failed"), /error/);
