@@ -28,7 +28,7 @@ class Side {
         times_(program.report.speed->each_line),
         lines_(lines_of(program.source)),
         text_lines_(lines_.size()) {
-    // Subprograms in files of their own count under the numbers of their lines.
+    // A line whose text is not there has its number alone.
     const std::size_t last = times_.empty() ? 0 : times_.back().line;
     for (std::size_t number = text_lines_ + 1; number <= last; ++number) {
       lines_.push_back("line " + std::to_string(number));

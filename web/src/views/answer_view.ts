@@ -18,7 +18,7 @@ const REMEDIES: readonly (readonly [RegExp, string])[] = [
   [/^programmed_feedrate$/, "a higher F would save time"],
   [/^chord_error$/, "a wider chord tolerance of the machine would save time"],
   [/^joint$/, "direction or curvature jumps there: G64 with a larger P rounds it"],
-  [/^window_end$/, "the look-ahead ends there: raise --window"],
+  [/^window_end$/, "the look-ahead ends there: a wider one (--window of kerf) would save time"],
   [/_velocity$/, "the machine's speed: only a faster axis helps"],
   [/_acceleration$/, "the machine's acceleration: a gentler path or a faster machine"],
   [/_jerk$/, "the machine's jerk: a smoother path or a stiffer machine"],
