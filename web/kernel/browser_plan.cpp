@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include <kerf/machine.hpp>
 #include <nlohmann/json.hpp>
 
+#include "programs/kerf/cli/machine_choice.hpp"
 #include "programs/kerf/page/plan_document.hpp"
 #include "programs/kerf/run/machine_run.hpp"
 #include "programs/kerf/run/session.hpp"
@@ -54,18 +54,20 @@ std::string refusal(const std::vector<std::string>& messages) {
   return Json{{"refused", messages}}.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
-// Subprograms are looked for beside the program, so all files go into one folder, which is the
-// present one from then on: reports name the file alone.
-void write_files(const Json& files) {
-  const std::filesystem::path folder = "/programs";
+std::filesystem::path name_of(const Json& file) {
+  // The name alone: a browser tells no folder.
+  return std::filesystem::path(file.at("name").get<std::string>()).filename();
+}
+
+// Subprograms are looked for beside the program, and beside the machine file what that names, so
+// all files go into one folder, which is the present one from then on: reports name the file alone.
+void write_files(const std::filesystem::path& folder, const Json& files) {
   std::filesystem::current_path("/");
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   std::filesystem::current_path(folder);
   for (const Json& file : files) {
-    // The name alone: a browser tells no folder.
-    const auto name = std::filesystem::path(file.at("name").get<std::string>()).filename();
-    std::ofstream(name, std::ios::binary) << file.at("text").get_ref<const std::string&>();
+    std::ofstream(name_of(file), std::ios::binary) << file.at("text").get_ref<const std::string&>();
   }
 }
 
@@ -109,29 +111,43 @@ kerf::program::Options options_of(const Json& order) {
   return options;
 }
 
-// {"files": [{"name", "text"}, ...], "machine": {"name", "text"}, "profile": "s-curve",
-// "feed_override": 1.0}. The first file is the program, the others its subprograms; an empty text
-// is the default machine. The path is told before its times are planned.
+// The machine file, and after it the files that it names; an empty text is the default machine.
+tl::expected<MachineSettings, kerf::program::MachineRefusal> machine_of(const Json& files) {
+  kerf::program::MachineOrder order;
+  if (!files.at(0).at("text").get_ref<const std::string&>().empty()) {
+    write_files("/machine", files);
+    order.file = name_of(files.at(0)).string();
+  }
+  std::vector<std::string> named;
+  auto chosen = kerf::program::choose_machine(order, named);
+  if (chosen) {
+    return std::move(chosen->settings);
+  }
+  if (chosen.error().status == kerf::program::ExitStatus::io_error) {
+    for (std::string& message : chosen.error().messages) {
+      message += ": open it here, too, for the machine file names it";
+    }
+  }
+  return tl::unexpected(std::move(chosen.error()));
+}
+
+// {"files": [{"name", "text"}, ...], "machine": [{"name", "text"}, ...], "profile": "s-curve",
+// "feed_override": 1.0}. The first file is the program, the others its subprograms; machine: as of
+// machine_of(). The path is told before its times are planned.
 // With "part": {"first": 1000, "last": 1999} the plan has columns of these ticks alone, ends after
 // them, and nothing is told before it.
 std::string plan(const Json& order) {
   const Json& machine = order.at("machine");
-  const auto machine_name = machine.at("name").get<std::string>();
-  kerf::program::Options options = options_of(order);
-  MachineSettings settings = kerf::default_machine();
-  if (const auto& text = machine.at("text").get_ref<const std::string&>(); !text.empty()) {
-    auto read = kerf::parse_machine_file(text);
-    if (!read) {
-      std::vector<std::string> messages;
-      for (const kerf::SettingsError& error : read.error()) {
-        messages.push_back(to_string(error, machine_name));
-      }
-      return refusal(messages);
-    }
-    settings = *std::move(read);
-    options.machine_file = machine_name;
+  const auto read = machine_of(machine);
+  if (!read) {
+    return refusal(read.error().messages);
   }
-  write_files(order.at("files"));
+  const MachineSettings& settings = *read;
+  kerf::program::Options options = options_of(order);
+  if (!machine.at(0).at("text").get_ref<const std::string&>().empty()) {
+    options.machine_file = machine.at(0).at("name").get<std::string>();
+  }
+  write_files("/programs", order.at("files"));
   // The page has the text.
   kerf::program::PageRecord record{.wants_source = false, .max_columns = kMaxColumns};
   if (const auto part = order.find("part"); part != order.end()) {
@@ -144,9 +160,8 @@ std::string plan(const Json& order) {
       tell_path(document.data(), document.size());
     };
   }
-  const auto report = kerf::program::process_file(
-      std::filesystem::path(order.at("files").at(0).at("name").get<std::string>()).filename(),
-      options, settings, &record);
+  const auto report =
+      kerf::program::process_file(name_of(order.at("files").at(0)), options, settings, &record);
   return plan_document(report, settings, record);
 }
 

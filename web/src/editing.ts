@@ -43,6 +43,15 @@ function filesOf(state: EditorState): Files {
 
 const isRewritten = (state: EditorState): boolean => !state.doc.eq(state.field(opened).text);
 
+// Files beside those that are there, in place of others of their names.
+export function adding(files: readonly TextFile[]): (state: EditorState) => TransactionSpec {
+  const names = files.map(({ name }) => name);
+  return (state) => {
+    const before = state.field(opened);
+    return { effects: setOpened.of({ ...before, others: [...before.others.filter(({ name }) => !names.includes(name)), ...files] }), annotations: isolateHistory.of("full") };
+  };
+}
+
 // Others in place of the files that are there.
 export function opening(files: Files): (state: EditorState) => TransactionSpec {
   const now = openedOf(files);

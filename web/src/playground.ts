@@ -56,7 +56,7 @@ class Playground implements PlanSource {
     fail: (why) => this.refusal.showUnread("files", why),
   };
   private readonly machines: FileTaker = {
-    take: ([first]) => this.opened(() => this.machine.open(first)),
+    take: (files) => this.opened(() => this.machine.take(files)),
     fail: (why) => this.refusal.showUnread("machine", why),
   };
 
@@ -65,12 +65,12 @@ class Playground implements PlanSource {
   constructor(root: HTMLElement, kernel: BrowserKernel) {
     this.root = root;
     this.kernel = kernel;
-    this.order = { files: [KERF_EXAMPLES[0]], machine: KERF_MACHINES[0], profile: PROFILES[0], feed_override: 1 };
+    this.order = { files: [KERF_EXAMPLES[0]], machine: [KERF_MACHINES[0]], profile: PROFILES[0], feed_override: 1 };
     this.machine = new MachineEditor(KERF_MACHINES[0], (machine, isRewritten) => {
       this.rewritten.machine = isRewritten;
       this.typed({ machine });
     });
-    takeDropped(this.programs, this.machines);
+    takeDropped({ programs: this.programs, machines: this.machines }, (name) => this.machine.names(name));
     askBeforeLeaving(() => this.rewritten.program || this.rewritten.machine);
   }
 
@@ -82,10 +82,10 @@ class Playground implements PlanSource {
       "div",
       { class: "tools order" },
       h("span", {}, "Program"),
-      opener("Open a program, and with it its subprograms", true, this.programs),
+      opener("Open a program, and with it its subprograms", this.programs),
       menu("Example program", "example\u2026", namesOf(KERF_EXAMPLES), pick(KERF_EXAMPLES, this.programs)),
       h("span", {}, "Machine"),
-      opener("Open a machine file", false, this.machines),
+      opener("Open a machine file, and with it the files that it names", this.machines),
       menu("Example machine", "example\u2026", namesOf(KERF_MACHINES), pick(KERF_MACHINES, this.machines)),
       h("span", {}, "Profile"),
       profile,

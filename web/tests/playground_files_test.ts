@@ -6,6 +6,7 @@ import type { JSHandle } from "playwright-core";
 import { clock } from "../src/units.ts";
 import { after_, caretTo, choose, folder, open, page, planned, program, said, shownTime, slowProgram, status, timeOf, timesOfLines, written } from "./playground.ts";
 
+const slow = "[path]\nmax_velocity_mm_s = 5\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1000\n";
 const rightMachine = (): Promise<void> => after_(() => choose("Example machine", "table.toml"));
 
 test("a program that is opened beside a faulty machine file is the one that is written on", async () => {
@@ -37,10 +38,33 @@ test("files that are dropped anywhere are opened as by the button", async () => 
     assert.equal(await written(), "o<line> call [7]");
     assert.equal(await page.locator("h1").textContent(), "calls.ngc");
   }
-  const slow = "[path]\nmax_velocity_mm_s = 5\nmax_acceleration_mm_s2 = 100\nmax_jerk_mm_s3 = 1000\n";
   await after_(() => drop(".strip", [["dropped.toml", slow]]));
   assert.match((await page.locator(".what").textContent()) ?? "", /^dropped\.toml/);
   assert.equal(await written(), "o<line> call [7]");
+  await rightMachine();
+});
+
+test("a tool table that the machine file names is opened with it, or dropped later", async () => {
+  const part = program("T1 M6\nG43 H1\nG1 F600 X5 Z2\nM2\n", "tooled.ngc");
+  const machine = program(`${slow}[tools]\nfile = "shop.tbl"\n`, "tooled.toml");
+  const table: readonly [string, string] = ["shop.tbl", "T1 P1 Z30 D6\n"];
+  const listed = program(table[1], table[0]);
+  const native_s = timeOf("--machine", machine, part);
+  await open("Open a program", part);
+  await open("Open a machine file", machine);
+  assert.equal(await status(), "not planned");
+  assert.match((await page.locator(".refusal:visible").textContent()) ?? "", /^shop\.tbl: error: .*: open it here, too/);
+  await after_(() => drop(".strip", [table]));
+  assert.equal(await written(), "T1 M6");
+  assert.equal(await shownTime(), clock(native_s));
+
+  await rightMachine();
+  await open("Open a machine file", listed, machine);
+  assert.equal(await shownTime(), clock(native_s));
+  await rightMachine();
+  await after_(() => drop(".strip", [table, ["tooled.toml", `${slow}[tools]\nfile = "shop.tbl"\n`]]));
+  assert.equal(await written(), "T1 M6");
+  assert.equal(await shownTime(), clock(native_s));
   await rightMachine();
 });
 

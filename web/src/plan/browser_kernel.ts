@@ -10,7 +10,7 @@ export interface TextFile {
 
 export interface Order {
   readonly files: readonly [TextFile, ...TextFile[]]; // the program, then its subprograms
-  readonly machine: TextFile; // an empty text: the default machine
+  readonly machine: readonly [TextFile, ...TextFile[]]; // its file, then those that it names; an empty text: the default machine
   readonly profile: string;
   readonly feed_override: number; // share of the programmed feedrates
   readonly part?: Part; // of its ticks, with nothing before it; else all of it

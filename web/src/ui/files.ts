@@ -1,5 +1,6 @@
 // Files of the visitor's; they stay in this page.
 import type { Files } from "../editing.ts";
+import { isToml, names } from "../plan/machine_files.ts";
 import { h } from "./dom.ts";
 
 // Who takes the texts of files, and is told why one cannot be read.
@@ -25,8 +26,8 @@ async function hand(files: readonly File[], { take, fail }: FileTaker): Promise<
   }
 }
 
-export function opener(label: string, several: boolean, taker: FileTaker): HTMLElement {
-  const input = h("input", { type: "file", multiple: several, hidden: true, "aria-label": label });
+export function opener(label: string, taker: FileTaker): HTMLElement {
+  const input = h("input", { type: "file", multiple: true, hidden: true, "aria-label": label });
   input.addEventListener("change", () => {
     const chosen = [...(input.files ?? [])];
     input.value = "";
@@ -35,10 +36,23 @@ export function opener(label: string, several: boolean, taker: FileTaker): HTMLE
   return h("span", {}, input, h("button", { type: "button", title: label, "aria-label": label, click: () => input.click() }, "open\u2026"));
 }
 
+interface Takers {
+  readonly programs: FileTaker;
+  readonly machines: FileTaker;
+}
+
+// Those of a kind together, or none of them.
+async function divide(files: readonly File[], { programs, machines }: Takers, isNamed: (name: string) => boolean): Promise<void> {
+  const tables = await Promise.allSettled(files.filter(isToml).map(read));
+  const texts = tables.flatMap((one) => (one.status === "fulfilled" ? [one.value.text] : []));
+  const isMachine = (file: File): boolean => isToml(file) || (texts.length > 0 ? texts.some((text) => names(text, file.name)) : isNamed(file.name));
+  await Promise.all([hand(files.filter(isMachine), machines), hand(files.filter((file) => !isMachine(file)), programs)]);
+}
+
 // Files that are dropped anywhere on the page: the browser would leave it for them, and an editor put them into its text.
-export function takeDropped(programs: FileTaker, machines: FileTaker): void {
+// isNamed: by the present machine file.
+export function takeDropped(takers: Takers, isNamed: (name: string) => boolean): void {
   const filesOf = ({ dataTransfer }: DragEvent): DataTransfer | null => (dataTransfer?.types.includes("Files") ? dataTransfer : null);
-  const isMachine = ({ name }: File): boolean => /\.toml$/i.test(name);
   document.addEventListener("dragover", (event) => filesOf(event) && event.preventDefault(), true);
   document.addEventListener(
     "drop",
@@ -47,9 +61,7 @@ export function takeDropped(programs: FileTaker, machines: FileTaker): void {
       if (!dropped) return;
       event.preventDefault();
       event.stopPropagation();
-      const files = [...dropped.files];
-      void hand(files.filter(isMachine), machines);
-      void hand(files.filter((file) => !isMachine(file)), programs);
+      void divide([...dropped.files], takers, isNamed);
     },
     true,
   );
