@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include <kerf/machine.hpp>
 #include <nlohmann/json.hpp>
 
 #include "programs/kerf/cli/machine_choice.hpp"
@@ -111,12 +112,25 @@ kerf::program::Options options_of(const Json& order) {
   return options;
 }
 
+// Where the machine file looks for it, which may be in another folder: a browser tells none.
+void put_where_it_is_named(const std::filesystem::path& named) {
+  const std::filesystem::path here = named.filename();
+  if (named != here && std::filesystem::exists(here)) {
+    std::filesystem::create_directories(named.parent_path());
+    std::filesystem::copy_file(here, named, std::filesystem::copy_options::overwrite_existing);
+  }
+}
+
 // The machine file, and after it the files that it names; an empty text is the default machine.
 tl::expected<MachineSettings, kerf::program::MachineRefusal> machine_of(const Json& files) {
   kerf::program::MachineOrder order;
-  if (!files.at(0).at("text").get_ref<const std::string&>().empty()) {
+  if (const auto& text = files.at(0).at("text").get_ref<const std::string&>(); !text.empty()) {
     write_files("/machine", files);
     order.file = name_of(files.at(0)).string();
+    if (const auto read = kerf::parse_machine_file(text)) {
+      put_where_it_is_named(read->tool_file);
+      put_where_it_is_named(read->height_map_file);
+    }
   }
   std::vector<std::string> named;
   auto chosen = kerf::program::choose_machine(order, named);

@@ -62,7 +62,7 @@ test("a tool table that the machine file names is opened with it, or dropped lat
   await open("Open a machine file", listed, machine);
   assert.equal(await shownTime(), clock(native_s));
   await rightMachine();
-  await after_(() => drop(".strip", [table, ["tooled.toml", `${slow}[tools]\nfile = "shop.tbl"\n`]]));
+  await after_(() => drop(".strip", [table, ["tooled.toml", `${slow}[tools]\nfile = "../tables/shop.tbl"\n`]]));
   assert.equal(await written(), "T1 M6");
   assert.equal(await shownTime(), clock(native_s));
   await rightMachine();
