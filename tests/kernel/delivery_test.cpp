@@ -111,6 +111,20 @@ TEST(Delivery, SaysWhetherThePlanBeforeATakeoverWasHandedOverToItsEnd) {
   }
 }
 
+// To a rest behind one more piece, of a millimetre each, than the ring has room for.
+lookahead::Planner::PlannedStopAhead way_over_more_pieces_than_the_ring_holds(
+    const interp::Phase& last) {
+  lookahead::Planner::PlannedStopAhead ahead;
+  ahead.plan = 2;
+  for (std::size_t i = 0; i <= MotionQueue::kPieces; ++i) {
+    ahead.outbox.pieces.push_back(piece(1.0));
+    ahead.outbox.pieces.back().curve = i + 2;
+  }
+  ahead.outbox.phases = {of_plan(2, last)};
+  ahead.outbox.phases.back().curve = MotionQueue::kPieces + 2;
+  return ahead;
+}
+
 // The ring has no room for the path of the way to rest.
 TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
   const auto queue = std::make_unique<MotionQueue>();
@@ -118,14 +132,8 @@ TEST(Delivery, HandsOverNoPlanWhoseWayToRestDoesNotFit) {
   delivery.outbox().pieces.push_back(piece(30.0));
   delivery.outbox().phases = {cruise_phase(0.0, 10.0), cruise_phase(10.0, 10.0)};
   delivery.deliver(10);
-  lookahead::Planner::PlannedStopAhead ahead;
-  ahead.plan = 2;
-  for (std::size_t i = 0; i <= MotionQueue::kPieces; ++i) {
-    ahead.outbox.pieces.push_back(piece(1.0));
-    ahead.outbox.pieces.back().curve = i + 2;
-  }
-  ahead.outbox.phases = {of_plan(2, cruise_phase(10.0, 10.0))};
-  ahead.outbox.phases.back().curve = MotionQueue::kPieces + 2;
+  lookahead::Planner::PlannedStopAhead ahead =
+      way_over_more_pieces_than_the_ring_holds(cruise_phase(10.0, 10.0));
   const std::uint32_t pushed = queue->phases_pushed();
   EXPECT_EQ(delivery.take_over(plan_that_takes_over(), 0, &ahead), Delivery::HandedOver::no);
   EXPECT_EQ(queue->next_takeover(), nullptr);
@@ -145,14 +153,8 @@ TEST(Delivery, CommitsNothingWhoseWayToRestDoesNotFit) {
   delivery.outbox().phases = {cruise_phase(0.0, 10.0)};
   EXPECT_TRUE(delivery.deliver(kFar));
   EXPECT_TRUE(delivery.is_whole());
-  lookahead::Planner::PlannedStopAhead ahead;
-  ahead.plan = 2;
-  for (std::size_t i = 0; i <= MotionQueue::kPieces; ++i) {
-    ahead.outbox.pieces.push_back(piece(1.0));
-    ahead.outbox.pieces.back().curve = i + 2;
-  }
-  ahead.outbox.phases = {of_plan(2, cruise_phase(0.0, 0.5))};
-  ahead.outbox.phases.back().curve = MotionQueue::kPieces + 2;
+  lookahead::Planner::PlannedStopAhead ahead =
+      way_over_more_pieces_than_the_ring_holds(cruise_phase(0.0, 0.5));
   EXPECT_EQ(delivery.commit(ahead, 0), Delivery::Committed::no_room);
   EXPECT_EQ(queue->next_phase(), nullptr);
   EXPECT_FALSE(queue->has_stop());

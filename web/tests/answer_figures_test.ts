@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { clock, percent, plain } from "../src/units.ts";
+import { timesOfLines } from "./lines.ts";
 import { goTo, kerf, openReport, programFile, shown, textOf, traceOf } from "./report.ts";
 
 const text = "G21 G90 G64 P0.05 F6000\nG1 X50\nY50\nG4 P0.5\nX0\nY0 F600\nM2\n";
@@ -59,11 +60,7 @@ test("the largest figures stand beside the limits of the machine, and the deviat
 test("beside a line of a report is its time", async () => {
   const program = programFile(text);
   const { page, said } = await openReport([program]);
-  const beside = await page.locator(".program-view .cm-line").evaluateAll((lines) => {
-    const marks = [...lines[0]!.closest(".cm-scroller")!.querySelectorAll(".cm-times .cm-gutterElement")].filter((one) => getComputedStyle(one).visibility !== "hidden");
-    const top = (element: Element): number => element.getBoundingClientRect().top;
-    return lines.map((line) => marks.find((one) => Math.abs(top(one) - top(line)) < 3)?.textContent ?? "");
-  });
+  const beside = await timesOfLines(page);
   for (const { line, time_s } of figuresOf(program).speed_limits_of_lines) assert.ok(Math.abs(Number(beside[line - 1]) - time_s) <= 0.0051, `${beside[line - 1]} beside line ${line}`);
   assert.deepEqual([beside[0], beside[6]], ["", ""]);
   assert.deepEqual(said, []);

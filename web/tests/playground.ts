@@ -7,6 +7,7 @@ import { join } from "node:path";
 import { after, before } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium, type Browser, type Page } from "playwright-core";
+import { timesOfLines as timesBeside } from "./lines.ts";
 
 const KERF = process.env["KERF"] ?? "";
 export const SOURCE = process.env["KERF_SOURCE"] ?? "";
@@ -41,13 +42,7 @@ after(async () => {
   rmSync(folder, { recursive: true });
 });
 
-// Beside the lines that are seen; empty: none.
-export const timesOfLines = (): Promise<string[]> =>
-  page.locator(".program-view .cm-line").evaluateAll((lines) => {
-    const marks = [...lines[0]!.closest(".cm-scroller")!.querySelectorAll(".cm-times .cm-gutterElement")].filter((one) => getComputedStyle(one).visibility !== "hidden");
-    const top = (element: Element): number => element.getBoundingClientRect().top;
-    return lines.map((line) => marks.find((one) => Math.abs(top(one) - top(line)) < 3)?.textContent ?? "");
-  });
+export const timesOfLines = (): Promise<string[]> => timesBeside(page);
 export const status = async (): Promise<string> => (await page.locator('[data-test="status"]').textContent()) ?? "";
 
 export async function planned(): Promise<void> {
