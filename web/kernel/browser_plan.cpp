@@ -62,8 +62,9 @@ std::filesystem::path name_of(const Json& file) {
 
 // Subprograms are looked for beside the program, and beside the machine file what that names, so
 // all files go into one folder, which is the present one from then on: reports name the file alone.
-void write_files(const std::filesystem::path& folder, const Json& files) {
-  std::filesystem::current_path("/");
+void write_files(const char* folder_name, const Json& files) {
+  const auto folder = std::filesystem::temp_directory_path() / folder_name;
+  std::filesystem::current_path(folder.parent_path());
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   std::filesystem::current_path(folder);
@@ -125,7 +126,7 @@ void put_where_it_is_named(const std::filesystem::path& named) {
 tl::expected<MachineSettings, kerf::program::MachineRefusal> machine_of(const Json& files) {
   kerf::program::MachineOrder order;
   if (const auto& text = files.at(0).at("text").get_ref<const std::string&>(); !text.empty()) {
-    write_files("/machine", files);
+    write_files("machine", files);
     order.file = name_of(files.at(0)).string();
     if (const auto read = kerf::parse_machine_file(text)) {
       put_where_it_is_named(read->tool_file);
@@ -161,7 +162,7 @@ std::string plan(const Json& order) {
   if (!machine.at(0).at("text").get_ref<const std::string&>().empty()) {
     options.machine_file = machine.at(0).at("name").get<std::string>();
   }
-  write_files("/programs", order.at("files"));
+  write_files("programs", order.at("files"));
   // The page has the text.
   kerf::program::PageRecord record{.wants_source = false, .max_columns = kMaxColumns};
   if (const auto part = order.find("part"); part != order.end()) {
