@@ -70,6 +70,7 @@ TEST(TimedPath, DividesWhereARapidBeginsAndEnds) {
   EXPECT_EQ(points[2].tick, 1500);
   EXPECT_EQ(points[2].rapid, true);
   EXPECT_EQ(points[3].rapid, false);
+  EXPECT_TRUE(path.tells_rapids());
 }
 
 // Found with the dots of an engraving: thinning them went on for ever.
@@ -84,6 +85,7 @@ TEST(TimedPath, HasBoundedMemoryWhereRapidsBeginAndEndEverywhere) {
   EXPECT_LE(points.size(), 501U);
   EXPECT_GT(points.size(), 50U);
   EXPECT_LE(largest_error_mm(points, 50'000), path.tolerance_mm());
+  EXPECT_FALSE(path.tells_rapids());
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Path } from "../src/plan/plan.ts";
-import { NOT_SEEN, chunksOf, levelsFor, type Sight } from "../src/views/path_detail.ts";
+import { NOT_SEEN, chunksOf, joinsRests, levelsFor, type Sight } from "../src/views/path_detail.ts";
 import { PathPaint, MOST_STRETCHES } from "../src/views/path_paint.ts";
 import { boxOfCut, linesBetween, rapidWays } from "../src/views/stretches.ts";
 
@@ -71,6 +71,7 @@ test("a view has no more stretches than it may, of any path, and none where noth
       const levels = levelsFor(chunks, whole(pixelsPerMm), MOST_STRETCHES);
       const stretches = chunks.reduce((sum, chunk, i) => sum + (levels[i] === NOT_SEEN ? 0 : chunk.levels[levels[i]!]!.points.length - 1), 0);
       assert.ok(stretches > 100 && stretches <= MOST_STRETCHES, `${name}: ${stretches} stretches at ${pixelsPerMm} pixels a millimetre`);
+      assert.equal(joinsRests(chunks, levels), name.startsWith("rapids"), `${name} at ${pixelsPerMm} pixels a millimetre`);
     }
     const aside = levelsFor(chunks, { projection: [1 / 400, 0, 0, 0, 0, 1 / 200, 0, 0, 0, 0, 1, 0, 7, 0, 0, 1], pixelsPerMm: 1 }, MOST_STRETCHES);
     assert.ok(aside.every((level) => level === NOT_SEEN));

@@ -33,6 +33,32 @@ test("keeps every peak, and draws at most 300,000 vertices", async () => {
   await page.context().close();
 });
 
+// Of 300 drilled places a row.
+function drilled(places: number): string {
+  const drills = Array.from({ length: places }, (_, i) => `G0 X${i % 300} Y${Math.trunc(i / 300)}\nG1 X${(i % 300) + 0.8}`);
+  return programFile(["G21 G90 F6000", ...drills, "M2", ""].join("\n"));
+}
+
+test("says where a view joins rests and rapids with what is beside them, and joins none of them nearer", async () => {
+  const { page, said } = await openReport([drilled(36_500)]);
+  await drawnWhole(page);
+  assert.match((await textOf(page, "path-note"))!, /^more rests and rapids than fit this view: .*zoom in/);
+  const box = (await page.locator(".path-view").boundingBox())!;
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  for (let step = 0; step < 12; ++step) await page.mouse.wheel(0, -240);
+  await page.waitForFunction(() => document.querySelector("[data-test=path-note]")!.textContent === "");
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
+test("says where a report has fewer points than there are rapids", async () => {
+  const { page, said } = await openReport([drilled(45_000)]);
+  await drawnWhole(page);
+  assert.match((await textOf(page, "path-note"))!, /^more rapids than the path has points here/);
+  assert.deepEqual(said, []);
+  await page.context().close();
+});
+
 // Of a move of some ticks, and of a program whose columns stand for many.
 test("the legend says what limits the feed as the table does", async () => {
   const long = ["G21 G90 G61 F6000"];

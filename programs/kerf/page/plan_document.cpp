@@ -134,6 +134,7 @@ void add_columns(Json& header, Sections& sections, const TickColumns& columns) {
 void add_path(Json& header, Sections& sections, const TimedPath& path) {
   const std::vector<TimedPoint> points = path.points();
   header["path_tolerance_mm"] = path.tolerance_mm();
+  header["path_tells_rapids"] = path.tells_rapids();
   sections.add_numbers({"path.tick"}, points, [](const TimedPoint& point) { return point.tick; });
   for (std::size_t k = 0; k < 3; ++k) {
     sections.add_numbers(

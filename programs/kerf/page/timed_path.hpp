@@ -41,6 +41,8 @@ class TimedPath {
   [[nodiscard]] std::vector<TimedPoint> points() const;
   // Of the kept points: how far the path may be from them at any tick, for each axis.
   [[nodiscard]] double tolerance_mm() const noexcept { return error_mm_; }
+  // False: there were too many begins and ends of rapids.
+  [[nodiscard]] bool tells_rapids() const noexcept { return tells_rapids_; }
 
  private:
   struct Slope {

@@ -119,6 +119,7 @@ export interface Header {
   readonly ticks_per_column?: number;
   readonly columns?: number;
   readonly path_tolerance_mm?: number; // also of a path alone
+  readonly path_tells_rapids?: boolean;
   readonly codes?: readonly string[];
   readonly words?: readonly string[]; // F, S and T
   readonly messages?: readonly { line: number; text: string }[];

@@ -140,3 +140,8 @@ export function levelsFor(chunks: readonly Chunk[], { projection, pixelsPerMm }:
   }
   return chosen;
 }
+
+// Whether lines lead over rests or ends of rapids, at these levels.
+export function joinsRests(chunks: readonly Chunk[], levels: Int8Array): boolean {
+  return levels.some((level, i) => level !== NOT_SEEN && !chunks[i]!.levels[level]!.keepsRests);
+}

@@ -3,7 +3,7 @@ import { rgbOf } from "../colours.ts";
 import type { Path } from "../plan/plan.ts";
 import type { Ground } from "./ground.ts";
 import { scalePart, type Colouring } from "./path_colours.ts";
-import { NOT_SEEN, chunksOf, levelsFor, type Chunk, type Sight } from "./path_detail.ts";
+import { NOT_SEEN, chunksOf, joinsRests, levelsFor, type Chunk, type Sight } from "./path_detail.ts";
 import { linesBetween, rapidWays, type Stretches } from "./stretches.ts";
 
 export const MOST_STRETCHES = 70_000;
@@ -17,6 +17,7 @@ export interface Painted {
 const bytesOf = (rgb: readonly number[]): number[] => rgb.map((part) => Math.round(255 * part));
 
 export class PathPaint {
+  joinsRests = false; // in the view that was painted last, once it is whole
   private readonly path: Path;
   private readonly chunks: readonly Chunk[];
   private readonly ways: Float32Array;
@@ -61,6 +62,7 @@ export class PathPaint {
     const at = `${Array.from(sight.projection).join()} ${sight.pixelsPerMm}`;
     if (at === this.wholeAt) return null;
     const wanted = levelsFor(this.chunks, sight, MOST_STRETCHES);
+    this.joinsRests = joinsRests(this.chunks, wanted);
     const isWhole = this.makeLevels(wanted, until_ms);
     const levels = wanted.map((level, i) => {
       while (level !== NOT_SEEN && !this.isMade(i, level)) ++level; // the coarsest is always there

@@ -106,6 +106,10 @@ export class PathScene {
     return painted?.isWhole ?? true;
   }
 
+  get joinsRests(): boolean {
+    return this.paint?.joinsRests ?? false;
+  }
+
   get vertices(): number {
     let vertices = 0;
     this.scene.traverseVisible((object) => {

@@ -14,6 +14,10 @@ import { boxOfCut } from "./stretches.ts";
 
 const SHOW_MS = 250; // so often a view that becomes finer is drawn
 const PAUSE_MS = 5; // for all else that the page has to do
+const NOTES = {
+  thinned: "more rapids than the path has points here: some are joined with what is beside them",
+  coarse: "more rests and rapids than fit this view: some are joined with what is beside them; zoom in",
+};
 
 export class PathView {
   readonly element: HTMLElement;
@@ -21,6 +25,7 @@ export class PathView {
   onColouring: (colouring: Colouring) => void = () => undefined;
   private readonly canvas: HTMLCanvasElement;
   private readonly overlay = h("canvas", { class: "overlay", "aria-hidden": "true" });
+  private readonly note = h("div", { class: "path-note", "data-test": "path-note" });
   private readonly renderer: THREE.WebGLRenderer;
   private readonly scene: PathScene;
   private readonly camera: PathCamera;
@@ -42,7 +47,7 @@ export class PathView {
     this.ground = ground;
     this.camera = new PathCamera(this.canvas, () => this.draw(), () => store.set({ camera: this.camera.text }, "path"));
     this.pointer = new PathPointer(store, this.canvas, () => this.camera.projection);
-    this.element = h("div", { class: "path-view" }, this.canvas, this.overlay, this.pointer.tip);
+    this.element = h("div", { class: "path-view" }, this.canvas, this.overlay, this.note, this.pointer.tip);
     new ResizeObserver(() => this.resize()).observe(this.element);
     store.listen((_state, change) => {
       if ("tick" in change || "hover" in change) this.showInstant();
@@ -145,6 +150,8 @@ export class PathView {
     const { camera } = this.camera;
     const isWhole = this.scene.prepare(this.camera.projection, camera.zoom);
     this.renderer.render(this.scene.scene, camera);
+    const note = this.plan?.header.path_tells_rapids === false ? NOTES.thinned : this.scene.joinsRests ? NOTES.coarse : "";
+    if (this.note.textContent !== note) this.note.textContent = note;
     this.canvas.dataset["vertices"] = String(this.scene.vertices);
     const { clientWidth: width, clientHeight: height } = this.element;
     const pen = this.overlay.getContext("2d")!;
