@@ -1,15 +1,16 @@
 // The answer: how long, does it fit, how close to the limits, how exact, which lines cost most.
-import { fitsOf, type Account } from "../plan/account.ts";
+import type { Account } from "../plan/account.ts";
 import { countText, errorCount, messagesOf } from "../plan/messages.ts";
-import type { Plan, Quantity } from "../plan/plan.ts";
+import type { Plan } from "../plan/plan.ts";
 import type { Shown } from "../plan/source.ts";
-import { SPLIT_NAMES, operationsOf, splitOf, toolsOf, total, type Part, type Split } from "../plan/split.ts";
+import { SPLIT_NAMES, operationsOf, splitOf, toolsOf, total, type Split } from "../plan/split.ts";
 import { usesOf } from "../plan/uses.ts";
 import type { Store } from "../state.ts";
 import { h, replaceKeepingFocus, table } from "../ui/dom.ts";
 import { cycleText, machineOf, nameOf, numbered } from "../ui/header.ts";
-import { MM_PER_INCH, clock, difference, lengthText, lengthUnit, percent, plain, unitOf, wordsOf } from "../units.ts";
-import { fitCard, fitText, offsetText } from "./fit_card.ts";
+import { MM_PER_INCH, clock, difference, lengthUnit, percent, plain, unitOf, wordsOf } from "../units.ts";
+import { QUANTITY_NAMES, constraintsTable, offsetsTable, partsTable, planTable, usesTable } from "./answer_tables.ts";
+import { fitCard } from "./fit_card.ts";
 import { waitingTexts, type Waited } from "./waiting.ts";
 
 // What to change where a constraint costs time.
@@ -24,8 +25,6 @@ const REMEDIES: readonly (readonly [RegExp, string])[] = [
   [/_jerk$/, "the machine's jerk: a smoother path or a stiffer machine"],
 ];
 const remedyOf = (key: string): string => REMEDIES.find(([pattern]) => pattern.test(key))?.[1] ?? "";
-
-const NAMES: Record<Quantity, string> = { v: "velocity", a: "acceleration", j: "jerk" };
 
 function bar(split: Split): HTMLElement {
   const all = total(split);
@@ -134,7 +133,7 @@ export class AnswerView {
       const { factor, unit } = unitOf(quantity, this.plan!.unitOf(of.track), units);
       const meter = h("span", { class: "meter" }, h("i", { class: of.share > 1.005 ? "over" : "" }));
       (meter.firstChild as HTMLElement).style.width = `${Math.min(100, 100 * of.share)}%`;
-      return [h("div", { class: "use" }, h("span", {}, quantity === "a" ? "accel." : NAMES[quantity]), meter, h("b", {}, percent(of.share)), h("span", { class: "soft" }, `${of.track === "path" ? "path" : of.track.toUpperCase()} ${plain(of.peak * factor)} ${unit}`))];
+      return [h("div", { class: "use" }, h("span", {}, quantity === "a" ? "accel." : QUANTITY_NAMES[quantity]), meter, h("b", {}, percent(of.share)), h("span", { class: "soft" }, `${of.track === "path" ? "path" : of.track.toUpperCase()} ${plain(of.peak * factor)} ${unit}`))];
     });
     return this.card("Largest, of its limit", "limits", h("div", { class: "uses" }, ...rows));
   }
@@ -171,31 +170,21 @@ export class AnswerView {
     const told = plan.header.messages ?? [];
     if (told.length > 0) add("What the program tells the operator", h("ul", { "data-test": "told" }, ...told.map(({ line, text }) => h("li", {}, this.lineButton(line), `: ${text}`))));
     if (this.shown!.plans.length > 1) add("Side by side", this.othersTable());
-    const addOffsets = (): void => add(`Where the work offset may lie, ${lengthUnit(units)}`, this.offsetsTable());
+    const addOffsets = (): void => add(`Where the work offset may lie, ${lengthUnit(units)}`, offsetsTable(plan, units));
     if (!plan.motion) {
       if (plan.header.extents) addOffsets();
       return parts;
     }
     if (report.speed_limits_of_lines?.length) add("Lines that cost most", this.linesTable());
-    add("What limits the feed", this.constraintsTable());
+    add("What limits the feed", constraintsTable(plan));
     const tools = toolsOf(report);
     const operations = operationsOf(report);
-    if (tools.length > 1 || splitOf(report).toolChange > 0) add("By tool", this.partsTable("tool", tools));
-    if (operations.length > 0) add("By operation, as the comments name them", this.partsTable("operation", operations));
+    if (tools.length > 1 || splitOf(report).toolChange > 0) add("By tool", partsTable("tool", tools));
+    if (operations.length > 0) add("By operation, as the comments name them", partsTable("operation", operations));
     addOffsets();
-    if (report.max) add("Largest figures", this.usesTable());
-    add("The plan", this.planTable());
+    if (report.max) add("Largest figures", usesTable(plan, units));
+    add("The plan", planTable(plan, units));
     return parts;
-  }
-
-  private planTable(): HTMLElement {
-    const { report } = this.plan!.header;
-    const { units } = this.store.state;
-    const rows = [["program", report.file], ["machine", report.machine], ["profile", report.profile]];
-    if (report.feed_override !== 1) rows.push(["feed override", `${plain(100 * report.feed_override)} %`]);
-    if (report.path_length_mm !== undefined) rows.push(["path", `${lengthText(report.path_length_mm, units)} ${lengthUnit(units)} in ${report.blocks} blocks`]);
-    if (report.ticks !== undefined) rows.push(["ticks", `${report.ticks} of ${plain(1000 * this.plan!.period_s)} ms`]);
-    return table(["", ""], rows, "plan");
   }
 
   // Each with its difference from the base.
@@ -218,16 +207,6 @@ export class AnswerView {
     return before === undefined || after === undefined ? "" : difference(before, after);
   }
 
-  private offsetsTable(): HTMLElement {
-    const { units } = this.store.state;
-    const offsets = this.plan!.header.report.fit?.work_offsets ?? [];
-    return table(
-      ["axis", "the path", ...offsets.map((offset) => `${offset.name} between`)],
-      fitsOf(this.plan!).map((fit) => [fit.axis.toUpperCase(), fitText(fit, units), ...offsets.map((offset) => offsetText(this.plan!, offset.axes[fit.axis], fit.axis, units))]),
-      "offsets",
-    );
-  }
-
   private linesTable(): HTMLElement {
     const lines = this.plan!.header.report.speed_limits_of_lines ?? [];
     return table(
@@ -237,39 +216,6 @@ export class AnswerView {
         return [this.lineButton(line.line, String(line.line)), clock(line.time_s), `${wordsOf(key)} ${percent(share.share)}`, remedyOf(key)];
       }),
       "lines",
-    );
-  }
-
-  private constraintsTable(): HTMLElement {
-    const limits = Object.entries(this.plan!.header.report.speed_limits ?? {});
-    return table(
-      ["limit", "time", "share"],
-      limits.map(([key, { time_s, share }]) => [wordsOf(key), clock(time_s), percent(share)]),
-      "constraints",
-    );
-  }
-
-  private partsTable(what: string, parts: readonly Part[]): HTMLElement {
-    return table(
-      [what, "time", "cut", "rapid", "rest", "tool"],
-      parts.map((part) => [
-        part.name,
-        clock(total(part.split)),
-        ...SPLIT_NAMES.map(([kind]) => (part.split[kind] > 0 ? clock(part.split[kind]) : "")),
-      ]),
-      `by-${what}`,
-    );
-  }
-
-  private usesTable(): HTMLElement {
-    const { units } = this.store.state;
-    return table(
-      ["where", "largest", "limit", "share"],
-      usesOf(this.plan!).map((use) => {
-        const { factor, unit } = unitOf(use.quantity, this.plan!.unitOf(use.track), units);
-        return [`${use.track === "path" ? "path" : `axis ${use.track.toUpperCase()}`} ${NAMES[use.quantity]}`, `${plain(use.peak * factor)} ${unit}`, use.limit === null ? "none" : plain(use.limit * factor), use.limit === null ? "" : percent(use.share)];
-      }),
-      "largest",
     );
   }
 }
