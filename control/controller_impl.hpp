@@ -136,16 +136,12 @@ class KERF_LOCAL Controller::Impl {
   // Of the latest tick. Where the state says that the tool rests, it rests there.
   [[nodiscard]] Setpoint here() const noexcept { return snapshot_.read().setpoint; }
 
-  // controller_manual.cpp
   // What moves by hand is followed to its end; after an emergency stop it is dropped.
   void follow_manual();
   void follow_spindle();
   // Where the tool is, at rest, with the speed of the spindle without an override.
   [[nodiscard]] Setpoint rest_as_programmed() const;
-  void follow_jog();
   void follow_return();
-  void follow_homing();
-  [[nodiscard]] tl::expected<control::ManualMove, std::string_view> move_of(const Jog& jog) const;
   void run(const control::ManualMove& move);
   // It comes to rest.
   void end_move();
@@ -153,17 +149,23 @@ class KERF_LOCAL Controller::Impl {
   void stop_manual();
   // At rest: somebody told it to stop, or the door does.
   bool stops_at_rest();
-  [[nodiscard]] bool renews(const Jog& jog) const noexcept;
-  void begin_jog(const Jog& jog, const control::ManualMove& move);
-  void queue_jog(const Jog& jog);
   // From where the hold was left. False: the state is another one by now.
   bool begin_return();
-  void fail_to_home(const std::string& why);
   // To the operator, as an event.
   void say(const std::string& text);
   void leave_manual_for(ControllerState next);
   // The program that is held ends where the tool was jogged to.
   void end_suspended();
+
+  [[nodiscard]] tl::expected<control::ManualMove, std::string_view> move_of(const Jog& jog) const;
+  [[nodiscard]] bool renews(const Jog& jog) const noexcept;
+  void begin_jog(const Jog& jog, const control::ManualMove& move);
+  void queue_jog(const Jog& jog);
+  void follow_jog();
+
+  void follow_homing();
+  void fail_to_home(const std::string& why);
+
   // Plans the program and tells what it says, if it ran at the last plan() or began since. True: it
   // wants text.
   bool hear_out();
