@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "interp/motion.hpp"
-#include "lookahead/optimum/grid/grid.hpp"
 #include "lookahead/optimum/grid/speed_estimate.hpp"
 #include "lookahead/optimum/steepest_braking.hpp"
+#include "lookahead/optimum/stop_cells.hpp"
 #include "lookahead/optimum/stop_check.hpp"
 #include "profiles/s_curve_stop.hpp"
 
@@ -25,60 +25,11 @@ constexpr std::array<double, kStopDistances.size()> kDistancesOfAny{1.7, 3.1, 5.
 constexpr std::size_t kMinCells = 3;
 // More come of a way that is no way: near a rest, at a crawl.
 constexpr std::size_t kMaxCells = 256;
-constexpr double kCellsOfWay = 40.0;
-constexpr double kFineCellsOfWay = 64.0;
-constexpr double kWorthDividing = 0.1;  // of the longest cell
 // Of the limits that hold where the motion is, for an S-curve on a curve.
 constexpr std::array<double, 3> kShares{1.0, 0.7, 0.5};
 // A try that takes more does not end well in most cases; there are others.
 constexpr int kRefinements = 12;
 constexpr int kPointsOfPart = 20;  // of the S-curve
-
-void divide(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
-  std::vector<Cell> divided;
-  for (const Cell& cell : cells) {
-    const double count = std::ceil(cell.length_mm / longest_mm);
-    const std::vector<double> lengths(static_cast<std::size_t>(std::max(count, 1.0)),
-                                      cell.length_mm / std::max(count, 1.0));
-    const std::vector<Cell> parts = parts_of(cell, lengths, path);
-    divided.insert(divided.end(), parts.begin(), parts.end());
-  }
-  cells = std::move(divided);
-}
-
-// A motion near a limit may bear the jerk that it has for less than a cell.
-void divide_first(std::vector<Cell>& cells, double longest_mm, const PathAt& path) {
-  const Cell first = cells.front();
-  if (first.length_mm < kWorthDividing * longest_mm) {
-    return;
-  }
-  const double quarter_mm = 0.25 * first.length_mm;
-  const std::vector<Cell> parts = parts_of(first, {quarter_mm, quarter_mm, 2.0 * quarter_mm}, path);
-  cells.erase(cells.begin());
-  cells.insert(cells.begin(), parts.begin(), parts.end());
-}
-
-// The first cells, to a rest at the distance. True: that is the end of what is known.
-bool cut_at(double distance_mm, const PathAt& path, std::vector<Cell>& cells) {
-  double way = 0.0;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const double left = distance_mm - way;
-    const Cell& cell = cells[i];
-    if (cell.rest_after && left >= cell.length_mm - kAtBlockEnd_mm) {
-      cells.resize(i + 1);
-      return true;
-    }
-    if (left < cell.length_mm - kAtBlockEnd_mm) {
-      if (left > kAtBlockEnd_mm) {
-        cells[i] = parts_of(cell, {left, cell.length_mm - left}, path).front();
-      }
-      cells.resize(left > kAtBlockEnd_mm ? i + 1 : i);
-      return false;
-    }
-    way += cell.length_mm;
-  }
-  return true;
-}
 
 double way_mm(const std::vector<BrakingPart>& parts) {
   double sum_mm = 0.0;
@@ -155,8 +106,7 @@ void StopSearch::begin_with_s_curve(double distance_mm, std::vector<Cell>& cells
 }
 
 bool StopSearch::reaches_end(double distance_mm) const {
-  std::vector<Cell> cells = way_.cells();
-  return way_.knows(distance_mm) && cut_at(distance_mm, way_.path(), cells);
+  return way_.knows(distance_mm) && cells_to(distance_mm, way_.cells(), way_.path()).is_end;
 }
 
 bool StopSearch::is_in_reach(double distance_mm) const {
@@ -164,30 +114,23 @@ bool StopSearch::is_in_reach(double distance_mm) const {
   return way_.knows(distance_mm) && !(rest && rest->cell >= kMaxCells);
 }
 
-std::optional<OptimalPlan> StopSearch::to_rest_at(double distance_mm, StopGrid grid,
-                                                  bool& is_end) const {
+StopSearch::RestTry StopSearch::to_rest_at(double distance_mm, StopGrid grid) const {
   if (!is_in_reach(distance_mm)) {
-    is_end = false;
-    return std::nullopt;
+    return {};
   }
   const PathAt path = way_.path();
-  CellSequence sequence{.begin = from_->state, .cells = way_.cells()};
-  is_end = cut_at(distance_mm, path, sequence.cells);
-  if (sequence.cells.empty()) {
-    return std::nullopt;
+  CellsToRest to_rest = cells_to(distance_mm, way_.cells(), path);
+  RestTry tried{.is_end = to_rest.is_end};
+  if (to_rest.cells.empty()) {
+    return tried;
   }
-  const double longest_mm = distance_mm / (grid == StopGrid::fine ? kFineCellsOfWay : kCellsOfWay);
-  divide(sequence.cells, longest_mm, path);
-  divide_first(sequence.cells, longest_mm, path);
-  if (sequence.cells.back().ends_block) {
-    relax_beside_rest(sequence.cells, BlockSide::end);
+  CellSequence sequence{.begin = from_->state, .cells = std::move(to_rest.cells)};
+  divide_for_rest({.distance_mm = distance_mm, .grid = grid}, path, *limits_, sequence.cells);
+  if (sequence.cells.size() >= kMinCells && sequence.cells.size() <= kMaxCells) {
+    begin_with_s_curve(distance_mm, sequence.cells);
+    tried.plan = OptimalPlan::find(std::move(sequence), path, *limits_, kRefinements);
   }
-  refine_to_rest(sequence.cells, RestAt::end, path, *limits_);
-  if (sequence.cells.size() < kMinCells || sequence.cells.size() > kMaxCells) {
-    return std::nullopt;
-  }
-  begin_with_s_curve(distance_mm, sequence.cells);
-  return OptimalPlan::find(std::move(sequence), path, *limits_, kRefinements);
+  return tried;
 }
 
 std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) const {
@@ -200,9 +143,8 @@ std::optional<std::vector<BrakingPart>> StopSearch::any(StopDistance distance) c
   if (!way_.cells().empty() && s_curve_.back().s_mm >= kAtBlockEnd_mm) {
     const auto i = static_cast<std::size_t>(distance);
     const double s_curve_mm = s_curve_.back().s_mm;
-    bool is_end = i > 0 && reaches_end(kDistancesOfAny[i - 1] * s_curve_mm);
-    if (!is_end) {
-      found = to_rest_at(kDistancesOfAny[i] * s_curve_mm, StopGrid::coarse, is_end);
+    if (i == 0 || !reaches_end(kDistancesOfAny[i - 1] * s_curve_mm)) {
+      found = to_rest_at(kDistancesOfAny[i] * s_curve_mm, StopGrid::coarse).plan;
     }
   }
   if (found) {
@@ -249,8 +191,10 @@ void StopSearch::divide_down(const IsLate& is_late, Tried& tried) const {
 }
 
 void StopSearch::try_at(double distance_mm, Tried& tried) const {
-  if (const auto plan = to_rest_at(distance_mm, tried.grid, tried.is_end)) {
-    tried.best = parts(*plan);
+  const RestTry found = to_rest_at(distance_mm, tried.grid);
+  tried.is_end = found.is_end;
+  if (found.plan) {
+    tried.best = parts(*found.plan);
     tried.best_mm = std::min(way_mm(*tried.best), distance_mm);
   } else {
     tried.too_short_mm = distance_mm;

@@ -9,6 +9,7 @@
 
 #include "lookahead/optimum/braking.hpp"
 #include "lookahead/optimum/solver/optimal_plan.hpp"
+#include "lookahead/optimum/stop_cells.hpp"
 #include "lookahead/optimum/way_ahead.hpp"
 
 namespace kerf::lookahead {
@@ -17,9 +18,6 @@ namespace kerf::lookahead {
 enum class StopDistance : std::uint8_t { near, far, farthest };
 inline constexpr std::array kStopDistances{StopDistance::near, StopDistance::far,
                                            StopDistance::farthest};
-
-// How finely the way is divided: a try over a fine one takes longer.
-enum class StopGrid : std::uint8_t { coarse, fine };
 
 // The search over the cells ahead, to a rest at one distance after the other.
 //
@@ -70,9 +68,11 @@ class StopSearch {
   void try_at(double distance_mm, Tried& tried) const;
   // That far the way is known, over no more cells than a search can have.
   [[nodiscard]] bool is_in_reach(double distance_mm) const;
-  // is_end: reaches_end().
-  [[nodiscard]] std::optional<OptimalPlan> to_rest_at(double distance_mm, StopGrid grid,
-                                                      bool& is_end) const;
+  struct RestTry {
+    std::optional<OptimalPlan> plan{};
+    bool is_end = false;  // reaches_end(), where it is in reach
+  };
+  [[nodiscard]] RestTry to_rest_at(double distance_mm, StopGrid grid) const;
   [[nodiscard]] std::vector<BrakingPart> parts(const OptimalPlan& plan) const;
 
   const BrakingFrom* from_;
