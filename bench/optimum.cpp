@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/acceleration_bound.hpp"
 #include "bench/curve_run.hpp"
 #include "bench/program_text.hpp"
 #include "profiles/profile.hpp"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr double kTolerance = 1.005;
 constexpr double kOfReference = 1.01;
+constexpr double kMedianOfReference = 1.003;
+constexpr double kOfBound = 0.999;  // the bound has a grid, and ticks round the time up
 
 struct LimitSet {
   lookahead::MotionLimits each{};
@@ -135,8 +138,9 @@ bool is_within(double ratio) {
   return ratio > 0.0 && ratio <= kOfReference;
 }
 
+// ratios: of what has a reference from rest, this row's after the others.
 bool print_row(const std::string& curve, const LimitSet& set, bool on_axes,
-               const References& references) {
+               const References& references, std::vector<double>& ratios) {
   using profiles::Profile;
   using profiles::ProfileKind;
   const PlanLimits limits = plan_limits(set, on_axes);
@@ -149,10 +153,13 @@ bool print_row(const std::string& curve, const LimitSet& set, bool on_axes,
       key_of(curve, on_axes, set.each.velocity_mm_s, set.each.acceleration_mm_s2);
   const Beside given = beside(references.as_given, key, best.time_s);
   const Beside real = beside(references.from_rest, key, best.time_s);
-  const bool asked = given.ratio > 0.0;
-  const auto judged = [asked](double ratio) {
-    return !asked ? "" : is_within(ratio) ? "met" : "MISSED";
+  const auto judged = [](double ratio) {
+    return ratio == 0.0 ? "" : is_within(ratio) ? "met" : "MISSED";
   };
+  if (real.ratio > 0.0) {
+    ratios.push_back(real.ratio);
+  }
+  const double bound_s = acceleration_bound_s(block, limits);
   std::printf("| %s | %s %.0f/%.0f/%.0f/%g | %.3f | %.1f | %.4f | %s |%s %s |%s %s |",
               curve.c_str(), on_axes ? "axis" : "path", set.each.velocity_mm_s,
               set.each.acceleration_mm_s2, set.each.jerk_mm_s3, set.chord_mm, best.time_s,
@@ -163,8 +170,9 @@ bool print_row(const std::string& curve, const LimitSet& set, bool on_axes,
   } else {
     std::printf(" %.3f |", line_s(block.length_mm, set.each));
   }
-  std::printf(" %.3f | %.1f |\n", classical.time_s, largest_over_limit(classical, limits));
-  return keeps && (!asked || is_within(real.ratio));
+  std::printf(" %.3f | %.3f | %.1f |\n", bound_s, classical.time_s,
+              largest_over_limit(classical, limits));
+  return keeps && best.time_s >= kOfBound * bound_s && (real.ratio == 0.0 || is_within(real.ratio));
 }
 
 }  // namespace
@@ -178,22 +186,30 @@ int optimum() {
       "sqrt(b) b'' / 2 vanishes at rest whatever b'' is) and is shorter for it. Ratios: at most "
       "1.01. Line: the least time of a straight line of the "
       "curve's length, in closed form; no motion with limits along the path takes less, so a "
-      "reference below it cannot be reached.\n\n"
+      "reference below it cannot be reached. Any jerk: the least time within "
+      "feedrate, velocity, acceleration and chord error alone.\n\n"
       "| curve | limits | time-optimal [s] | planning [ms] | largest over limit | kept | from rest "
-      "[s] | ratio | | reference [s] | ratio | | line [s] | s-curve [s] | largest over limit |\n"
+      "[s] | ratio | | reference [s] | ratio | | line [s] | any jerk [s] | s-curve [s] | largest "
+      "over limit |\n"
       "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
-      "|\n");
+      "| --- |\n");
   const References references;
+  std::vector<double> ratios;
   bool met = true;
   for (const char* curve :
        {"butterfly", "circle", "mazatrol", "rational4", "scroll", "star", "trident7"}) {
     for (const LimitSet& set : kSets) {
       for (const bool on_axes : {false, true}) {
-        met = print_row(curve, set, on_axes, references) && met;
+        met = print_row(curve, set, on_axes, references, ratios) && met;
       }
     }
   }
-  return met ? 0 : 1;
+  std::ranges::sort(ratios);
+  const double median = ratios[ratios.size() / 2];
+  const bool is_near = median <= kMedianOfReference;
+  std::printf("\nMedian of the ratios from rest: %.4f, at most %.3f: %s.\n", median,
+              kMedianOfReference, is_near ? "met" : "MISSED");
+  return met && is_near ? 0 : 1;
 }
 
 }  // namespace kerf::bench
