@@ -17,7 +17,7 @@ export interface Painted {
 const bytesOf = (rgb: readonly number[]): number[] => rgb.map((part) => Math.round(255 * part));
 
 export class PathPaint {
-  joinsRests = false; // in the view that was painted last, once it is whole
+  joinsRests = false; // in the view that was asked for last
   private readonly path: Path;
   private readonly chunks: readonly Chunk[];
   private readonly ways: Float32Array;
