@@ -9,7 +9,7 @@ namespace kerf::program {
 
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 // An array: what is asked for, and its values. A number that JSON does not have is null.
 Json json_of(const kerf::Command& command) {

@@ -36,7 +36,7 @@ std::vector<fs::path> usual_places() {
           (folder / ".." / "share" / "kerf" / kTemplateName).lexically_normal()};
 }
 
-std::optional<std::string> text_of(const fs::path& path) {
+std::optional<std::string> text_of_file(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
   return file && !text.empty() ? std::optional(std::move(text)) : std::nullopt;
@@ -49,7 +49,7 @@ tl::expected<PageTemplate, std::string> read_page_template(
   const std::vector<fs::path> places =
       asked_for ? std::vector<fs::path>{*asked_for} : usual_places();
   for (const fs::path& place : places) {
-    if (auto text = text_of(place)) {
+    if (auto text = text_of_file(place)) {
       return PageTemplate{.text = *std::move(text), .path = place.string()};
     }
   }

@@ -7,7 +7,7 @@ namespace kerf::program {
 
 namespace {
 
-constexpr double kHeading = 20.0;
+constexpr double kCaption = 20.0;
 constexpr double kBand = 18.0;
 constexpr double kRow = 18.0;
 constexpr double kPatch = 11.0;
@@ -28,13 +28,13 @@ std::vector<Constraint> limits_in(std::span<const LimitBand::Interval> intervals
 
 double limit_panel_height(std::span<const LimitBand::Interval> intervals) {
   const std::size_t rows = (limits_in(intervals).size() + kColumns - 1) / kColumns;
-  return rows > 0 ? kHeading + kBand + kRow * static_cast<double>(rows) + kPatch : 0.0;
+  return rows > 0 ? kCaption + kBand + kRow * static_cast<double>(rows) + kPatch : 0.0;
 }
 
 void draw_limit_panel(SvgCanvas& canvas, const PixelBox& frame, const LimitPanel& panel) {
-  canvas.text({.x = frame.left, .y = frame.top + kHeading - 7.0}, "limited by",
+  canvas.text({.x = frame.left, .y = frame.top + kCaption - 7.0}, "limited by",
               {.size = 12.0, .bold = true});
-  const double top = frame.top + kHeading;
+  const double top = frame.top + kCaption;
   const double scale = frame.width / static_cast<double>(std::max<std::int64_t>(panel.end_tick, 1));
   for (std::size_t i = 0; i < panel.intervals.size(); ++i) {
     const bool last = i + 1 == panel.intervals.size();

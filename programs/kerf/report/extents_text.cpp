@@ -52,7 +52,7 @@ struct Row {
 
 // One for the machine's coordinates and one for the program's, or one for both where they are the
 // same.
-std::string text_of(const Row& row, const WorkExtents& work) {
+std::string row_text(const Row& row, const WorkExtents& work) {
   std::string text =
       fmt::format("  {:<15} {}{}   {}on the machine", row.name, row.machine, row.more, row.motion);
   const bool is_same = work.is_known && row.machine == row.program;
@@ -74,18 +74,18 @@ std::string extents_rows(const FileReport& report) {
     return fmt::format("  extents         {}\n", extents_text(report));
   }
   const PathBoxes& boxes = *report.boxes;
-  std::string text = text_of({.name = "extents",
-                              .motion = "all motion, ",
-                              .machine = box_text(boxes.all),
-                              .program = box_text(boxes.work.all),
-                              .more = extra_axes_text(report)},
-                             boxes.work);
+  std::string text = row_text({.name = "extents",
+                               .motion = "all motion, ",
+                               .machine = box_text(boxes.all),
+                               .program = box_text(boxes.work.all),
+                               .more = extra_axes_text(report)},
+                              boxes.work);
   if (boxes.cutting) {
-    text += text_of({.name = "cutting",
-                     .machine = box_text(*boxes.cutting),
-                     .program = box_text(boxes.work.cutting),
-                     .more = {}},
-                    boxes.work);
+    text += row_text({.name = "cutting",
+                      .machine = box_text(*boxes.cutting),
+                      .program = box_text(boxes.work.cutting),
+                      .more = {}},
+                     boxes.work);
   }
   return text;
 }
