@@ -2,6 +2,8 @@
 #   the folder's *.cpp, those of its subfolders too, as one static library, target kerf_NAME, alias kerf::NAME
 # kerf_precompile(TARGET HEADER...)
 #   headers that most sources of it include, and that take longer to read than the sources
+# kerf_unity(TARGET SOURCE...)
+#   up to eight sources of one folder are compiled as one: names of their own are different within a folder
 # kerf_tests(NAME DEPENDS ...)
 #   the folder's *.cpp as one GoogleTest executable NAME_tests, every test in it known to CTest
 
@@ -22,6 +24,25 @@ function(kerf_precompile target)
     target_compile_options(${target} PRIVATE
       $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds;-Wno-maybe-uninitialized;-Wno-stringop-overflow;-Wno-stringop-overread>)
   endif()
+endfunction()
+
+function(kerf_unity target)
+  if(NOT KERF_UNITY)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set(count 0)
+  foreach(source ${ARGN})
+    get_filename_component(folder "${source}" DIRECTORY)
+    if(NOT folder STREQUAL last_folder)
+      set(count 0)
+      set(last_folder "${folder}")
+    endif()
+    get_filename_component(name "${folder}" NAME)
+    math(EXPR part "${count} / 8")
+    math(EXPR count "${count} + 1")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${name}_${part}")
+  endforeach()
 endfunction()
 
 function(kerf_library name)
