@@ -99,25 +99,33 @@ double largest_before(const Place& place, double next_squared, double cell_mm) {
 
 }  // namespace
 
-double acceleration_bound_s(const lookahead::Block& block, const lookahead::PlanLimits& limits) {
-  const double cell_mm = block.length_mm / kCells;
+double AnyJerkMotion::v_squared_at(double s_mm) const {
+  const double cells = s_mm / cell_mm;
+  const std::size_t cell =
+      std::min(static_cast<std::size_t>(std::max(cells, 0.0)), v_squared.size() - 2);
+  return std::lerp(v_squared[cell], v_squared[cell + 1], cells - static_cast<double>(cell));
+}
+
+AnyJerkMotion any_jerk_motion(const lookahead::Block& block, const lookahead::PlanLimits& limits) {
+  AnyJerkMotion motion;
+  motion.cell_mm = block.length_mm / kCells;
   std::vector<Place> places;
   for (std::size_t i = 0; i <= kCells; ++i) {
-    places.push_back(place_at(block, cell_mm * static_cast<double>(i), limits));
+    places.push_back(place_at(block, motion.cell_mm * static_cast<double>(i), limits));
   }
   std::vector<double> most_squared(places.size());
   for (std::size_t i = kCells; i > 0; --i) {
-    most_squared[i - 1] = largest_before(places[i - 1], most_squared[i], cell_mm);
+    most_squared[i - 1] = largest_before(places[i - 1], most_squared[i], motion.cell_mm);
   }
-  double time_s = 0.0;
-  double v_squared = 0.0;
+  motion.v_squared.push_back(0.0);
   for (std::size_t i = 0; i < kCells; ++i) {
-    const double steepest = accelerations_at(places[i], v_squared).high_mm_s2;
-    const double next = std::min(most_squared[i + 1], v_squared + 2.0 * cell_mm * steepest);
-    time_s += 2.0 * cell_mm / (std::sqrt(v_squared) + std::sqrt(next));
-    v_squared = next;
+    const double before = motion.v_squared.back();
+    const double steepest = accelerations_at(places[i], before).high_mm_s2;
+    const double next = std::min(most_squared[i + 1], before + 2.0 * motion.cell_mm * steepest);
+    motion.time_s += 2.0 * motion.cell_mm / (std::sqrt(before) + std::sqrt(next));
+    motion.v_squared.push_back(next);
   }
-  return time_s;
+  return motion;
 }
 
 }  // namespace kerf::bench

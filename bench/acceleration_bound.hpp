@@ -1,10 +1,21 @@
-// The least time that a curve can take, found without planning it.
+// The fastest motion over a curve that any jerk allows, found without planning it.
 #pragma once
+
+#include <vector>
 
 #include "lookahead/path/block.hpp"
 #include "lookahead/path/limits.hpp"
 
 namespace kerf::bench {
+
+// At the ends of equal cells.
+struct AnyJerkMotion {
+  double cell_mm = 0.0;
+  std::vector<double> v_squared;  // mm^2/s^2
+  double time_s = 0.0;
+
+  [[nodiscard]] double v_squared_at(double s_mm) const;
+};
 
 // From rest to rest within feedrate, velocity and acceleration, along the path and of X, Y and Z,
 // and chord error, with any jerk: no motion that keeps its jerk as well takes less. In v^2 over s
@@ -13,6 +24,6 @@ namespace kerf::bench {
 // (TOPP-RA; Pham and Pham, A New Approach to Time-Optimal Path Parameterization Based on
 // Reachability Analysis, 2018). Limits are looked at in the places of the grid alone, and chord
 // error by the radius there.
-double acceleration_bound_s(const lookahead::Block& block, const lookahead::PlanLimits& limits);
+AnyJerkMotion any_jerk_motion(const lookahead::Block& block, const lookahead::PlanLimits& limits);
 
 }  // namespace kerf::bench

@@ -12,8 +12,9 @@
 // [--quick]
 // [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
 // without the longest exact stops, long: ten million lines too. kerf-bench stops [EVERY]: rests
-// that the path does not ask for, over all smooth runs or every so many-th. Anything else: Google
-// Benchmark's cases and options, parse, plan and tick.
+// that the path does not ask for, over all smooth runs or every so many-th. kerf-bench starts
+// [EVERY]: the search begun from another motion, over all shipped curves and random limits or every
+// so many-th. Anything else: Google Benchmark's cases and options, parse, plan and tick.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -32,6 +33,7 @@
 #include "bench/parse.hpp"
 #include "bench/parts.hpp"
 #include "bench/soak.hpp"
+#include "bench/starts.hpp"
 #include "bench/stops.hpp"
 #include "bench/streaming.hpp"
 #include "bench/work.hpp"
@@ -132,6 +134,11 @@ std::optional<kerf::bench::HoldsOrder> holds_order(const std::vector<std::string
 
 using Words = std::vector<std::string>;
 
+// Every so many-th run: the last word, all without one.
+std::size_t every_of(const Words& words) {
+  return words.size() == 2 ? 1 : std::max(std::strtoul(words[2].c_str(), nullptr, 10), 1UL);
+}
+
 struct Command {
   std::string_view name;
   std::size_t max_words;  // after it
@@ -155,12 +162,8 @@ constexpr std::array kCommands{
               return order ? kerf::bench::holds(*order) : kUsage;
             }},
     Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
-    Command{"stops", 1,
-            [](const Words& words) {
-              return kerf::bench::stops(
-                  words.size() == 2 ? 1
-                                    : std::max(std::strtoul(words[2].c_str(), nullptr, 10), 1UL));
-            }},
+    Command{"stops", 1, [](const Words& words) { return kerf::bench::stops(every_of(words)); }},
+    Command{"starts", 1, [](const Words& words) { return kerf::bench::starts(every_of(words)); }},
     Command{"work", 2,
             [](const Words& words) {
               using kerf::bench::Counted;

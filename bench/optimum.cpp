@@ -159,7 +159,7 @@ bool print_row(const std::string& curve, const LimitSet& set, bool on_axes,
   if (real.ratio > 0.0) {
     ratios.push_back(real.ratio);
   }
-  const double bound_s = acceleration_bound_s(block, limits);
+  const double bound_s = any_jerk_motion(block, limits).time_s;
   std::printf("| %s | %s %.0f/%.0f/%.0f/%g | %.3f | %.1f | %.4f | %s |%s %s |%s %s |",
               curve.c_str(), on_axes ? "axis" : "path", set.each.velocity_mm_s,
               set.each.acceleration_mm_s2, set.each.jerk_mm_s3, set.chord_mm, best.time_s,
