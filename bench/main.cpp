@@ -1,20 +1,30 @@
-// kerf-bench papers: the published results beside ours. kerf-bench control [FOLDER]: how soon a
-// hold shows and how far the tool goes; the folder gets the ways that are long, for shortest_stops.
-// kerf-bench holds [NAME] [--profile NAME] [--first N] [--last M]: a hold at every tick of a curve,
-// and of parts at every 37th, once for each of the remainders N to M; all are 0 to 36. kerf-bench
-// optimum: the time optimum of every shipped curve beside its reference. kerf-bench parse: text to
-// moves, long programs; with the name of one, that one read once for counting instructions.
-// kerf-bench soak [--seed N]
-// [--last M] [--seconds S] [--kind smoothed|degenerate|control|milling] [--fingerprints]: random
-// curves and programs, those of the seeds N to M and on for so long, or N alone; smoothed: programs
-// of short lines in G64; fingerprints: of the ticks of each, to compare two builds. kerf-bench
-// streaming: the time optimum in a window beside one over everything. kerf-bench parts [NAME]
-// [--quick]
-// [--long] [--profile NAME]: programs of short segments, or those whose name begins so; quick:
-// without the longest exact stops, long: ten million lines too. kerf-bench stops [EVERY]: rests
-// that the path does not ask for, over all smooth runs or every so many-th. kerf-bench starts
-// [EVERY]: the search begun from another motion, over all shipped curves and random limits or every
-// so many-th. Anything else: Google Benchmark's cases and options, parse, plan and tick.
+// kerf-bench COMMAND:
+//   papers              the published results beside ours
+//   optimum             the time optimum of every shipped curve beside its reference
+//   starts [EVERY]      the search begun from another motion, over all shipped curves and random
+//                       limits or every so many-th
+//   streaming           the time optimum in a window beside one over everything
+//   stops [EVERY]       rests that the path does not ask for, over all smooth runs or every so
+//                       many-th
+//   parts [NAME] [--quick] [--long] [--profile NAME]
+//                       programs of short segments, or those whose name begins so; quick: without
+//                       the longest exact stops, long: ten million lines too
+//   planning            how fast real programs are planned, and the longest call of plan()
+//   control [FOLDER]    how soon a hold shows and how far the tool goes; the folder gets the ways
+//                       that are long, for shortest_stops
+//   holds [NAME] [--profile NAME] [--first N] [--last M]
+//                       a hold at every tick of a curve, and of parts at every 37th, once for each
+//                       of the remainders N to M; all are 0 to 36
+//   soak [--seed N] [--last M] [--seconds S] [--kind smoothed|degenerate|control|milling]
+//        [--fingerprints]
+//                       random curves and programs, those of the seeds N to M and on for so long,
+//                       or N alone; smoothed: programs of short lines in G64; fingerprints: of the
+//                       ticks of each, to compare two builds
+//   parse [NAME]        text to moves, long programs; or one of them, read once for counting
+//                       instructions
+//   work NAME ticks|windows
+//                       one program, run for counting instructions
+// Anything else: Google Benchmark's cases and options, parse, plan and tick.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -32,6 +42,7 @@
 #include "bench/papers/papers.hpp"
 #include "bench/parse.hpp"
 #include "bench/parts.hpp"
+#include "bench/planning.hpp"
 #include "bench/soak.hpp"
 #include "bench/starts.hpp"
 #include "bench/stops.hpp"
@@ -161,6 +172,7 @@ constexpr std::array kCommands{
               const auto order = holds_order(words);
               return order ? kerf::bench::holds(*order) : kUsage;
             }},
+    Command{"planning", 0, [](const Words&) { return kerf::bench::planning(); }},
     Command{"streaming", 0, [](const Words&) { return kerf::bench::streaming(); }},
     Command{"stops", 1, [](const Words& words) { return kerf::bench::stops(every_of(words)); }},
     Command{"starts", 1, [](const Words& words) { return kerf::bench::starts(every_of(words)); }},

@@ -3,18 +3,12 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include <kerf/machine.hpp>
-
-#include "bench/program_text.hpp"
+#include "bench/real_programs.hpp"
 #include "tests/kernel/smooth_runs.hpp"
 
 namespace kerf::bench {
@@ -49,36 +43,6 @@ void add(const test::SmoothRun& run, Row& row) {
   std::fflush(stdout);
 }
 
-std::filesystem::path programs_folder() {
-  const char* const given = std::getenv("KERF_PROGRAMS_DIR");
-  return given != nullptr
-             ? std::filesystem::path(given)
-             : std::filesystem::path(KERF_SOURCE_DIR).parent_path() / "shared/reference/programs";
-}
-
-// Real programs by others that run (tests/programs.tsv), where they are at hand.
-std::vector<test::SmoothRun> programs_by_others() {
-  std::istringstream lines(source_file("tests/programs.tsv"));
-  std::vector<test::SmoothRun> runs;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream columns(line);
-    std::string name;
-    std::string dialect;
-    std::string verdict;
-    columns >> name >> dialect >> verdict;
-    std::ifstream file(programs_folder() / name, std::ios::binary);
-    if (verdict == "runs" && file) {
-      MachineSettings settings = default_machine();
-      settings.dialect = dialect == "fanuc" ? Dialect::fanuc : Dialect::rs274;
-      runs.push_back(
-          {.name = name,
-           .text = {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()},
-           .settings = settings});
-    }
-  }
-  return runs;
-}
-
 // False: something of it is not as it should be.
 bool print(const Row& row) {
   std::printf("| %s | %zu | %zu | %llu | %.3f | %.1f |\n", std::string(row.name).c_str(), row.runs,
@@ -98,8 +62,8 @@ int stops(std::size_t every) {
     }
   }
   Row& row = rows.emplace_back(Row{.name = "programs by others"});
-  for (const test::SmoothRun& run : programs_by_others()) {  // few
-    add(run, row);
+  for (RealProgram& program : programs_by_others()) {  // few
+    add({.name = program.name, .text = std::move(program.text), .settings = program.settings}, row);
   }
   std::printf(
       "\n| runs | count | with a degradation | degradations | time on the machine s | planning s "
