@@ -1,25 +1,13 @@
 #include "bench/real_programs.hpp"
 
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 
 #include "bench/program_text.hpp"
+#include "tests/conformance/programs_folder.hpp"
 
 namespace kerf::bench {
-
-namespace {
-
-std::filesystem::path programs_folder() {
-  const char* const given = std::getenv("KERF_PROGRAMS_DIR");
-  return given != nullptr
-             ? std::filesystem::path(given)
-             : std::filesystem::path(KERF_SOURCE_DIR).parent_path() / "shared/reference/programs";
-}
-
-}  // namespace
 
 std::vector<RealProgram> programs_by_others() {
   std::istringstream lines(source_file("tests/programs.tsv"));
@@ -30,7 +18,7 @@ std::vector<RealProgram> programs_by_others() {
     std::string dialect;
     std::string verdict;
     columns >> name >> dialect >> verdict;
-    std::ifstream file(programs_folder() / name, std::ios::binary);
+    std::ifstream file(conformance::programs_folder() / name, std::ios::binary);
     if (verdict == "runs" && file) {
       MachineSettings settings = default_machine();
       settings.dialect = dialect == "fanuc" ? Dialect::fanuc : Dialect::rs274;

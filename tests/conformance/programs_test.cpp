@@ -2,7 +2,6 @@
 // tests/programs.tsv gives. The programs are not ours to ship; they are looked for in the folder
 // that KERF_PROGRAMS_DIR names, else in ../shared/reference/programs beside the checkout.
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -13,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "parser/program_reader.hpp"
+#include "tests/conformance/programs_folder.hpp"
 
 namespace kerf::conformance {
 namespace {
@@ -28,13 +28,6 @@ struct RealProgram {
   std::string error;    // its identifier
   std::string reason;
 };
-
-std::filesystem::path programs_folder() {
-  const char* const given = std::getenv("KERF_PROGRAMS_DIR");
-  return given != nullptr
-             ? std::filesystem::path(given)
-             : std::filesystem::path(KERF_SOURCE_DIR).parent_path() / "shared/reference/programs";
-}
 
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
