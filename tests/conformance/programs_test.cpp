@@ -52,7 +52,7 @@ std::vector<RealProgram> table() {
   return programs;
 }
 
-std::string name_of(const testing::TestParamInfo<RealProgram>& info) {
+std::string program_name_of(const testing::TestParamInfo<RealProgram>& info) {
   std::string name = info.param.file;
   std::replace_if(
       name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
@@ -118,7 +118,7 @@ TEST(RealPrograms, AreAllInTheTable) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Programs, RealProgramFile, testing::ValuesIn(table()), name_of);
+INSTANTIATE_TEST_SUITE_P(Programs, RealProgramFile, testing::ValuesIn(table()), program_name_of);
 
 }  // namespace
 }  // namespace kerf::conformance

@@ -13,7 +13,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr const char* kLongLine = "G21 G90\nG1 X1000 F6000\nM2\n";
+constexpr const char* kLineToHold = "G21 G90\nG1 X1000 F6000\nM2\n";
 
 void bring_to(State state, Shop& shop) {
   switch (state) {
@@ -26,7 +26,7 @@ void bring_to(State state, Shop& shop) {
       shop.give(Command::enable);
       break;
     case State::running:
-      shop.begin(kLongLine);
+      shop.begin(kLineToHold);
       break;
     case State::waiting:
       shop.give(Command::enable);
@@ -35,14 +35,14 @@ void bring_to(State state, Shop& shop) {
       break;
     case State::holding:
     case State::held:
-      shop.begin(kLongLine);
+      shop.begin(kLineToHold);
       shop.give(Command::hold);
       if (state == State::held) {
         shop.tick_until(state);
       }
       break;
     case State::stopping:
-      shop.begin(kLongLine);
+      shop.begin(kLineToHold);
       shop.give(Command::stop);
       break;
     case State::fault:

@@ -14,7 +14,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr const char* kLongLine = "G21 G90\nG1 X1000 F6000\nM2\n";
+constexpr const char* kLineOf1000 = "G21 G90\nG1 X1000 F6000\nM2\n";
 
 TEST(Controller, RunsASecondProgramLikeTheFirst) {
   const std::string second = "G21 G91\nG1 X30 F3000\nG3 X10 Y10 J10\nM2\n";
@@ -82,7 +82,7 @@ TEST(Controller, WaitsForAnAnswerAtAProgramStop) {
 
 TEST(Controller, MovesNothingAfterAnEmergencyStopUntilResetEnableAndStart) {
   Shop shop;
-  shop.begin(kLongLine);
+  shop.begin(kLineOf1000);
   shop.controller.emergency_stop();
   EXPECT_TRUE(shop.controller.drives_on());
   const auto too_early = shop.controller.give(Command::reset);
@@ -107,14 +107,14 @@ TEST(Controller, MovesNothingAfterAnEmergencyStopUntilResetEnableAndStart) {
 // Whoever presses the button after a fault does not switch the drives on.
 TEST(Controller, KeepsTheDrivesOffInAnEmergencyStopBehindAFault) {
   Shop shop;
-  shop.begin(kLongLine);
+  shop.begin(kLineOf1000);
   shop.controller.fail();
   shop.tick();
   shop.controller.emergency_stop();
   EXPECT_FALSE(shop.controller.drives_on());
   shop.tick(500);
   shop.give(Command::reset);
-  shop.begin(kLongLine);
+  shop.begin(kLineOf1000);
   EXPECT_TRUE(shop.controller.drives_on());
   shop.controller.emergency_stop();
   EXPECT_TRUE(shop.controller.drives_on());  // it brakes
@@ -138,7 +138,7 @@ TEST(Controller, HasOverridesAndSingleBlockForAllPrograms) {
     }
     return most;
   };
-  shop.begin(kLongLine);
+  shop.begin(kLineOf1000);
   ASSERT_TRUE(shop.controller.set_overrides({.feed = 0.5}));
   shop.tick(200);
   EXPECT_NEAR(fastest(200), 50.0, 0.05);
@@ -189,7 +189,7 @@ TEST(Controller, RefusesAnOverrideOutOfItsRange) {
 
 TEST(Controller, IsStoppedByAThreadOfItsOwn) {
   Shop shop;
-  shop.begin(kLongLine);
+  shop.begin(kLineOf1000);
   std::thread button([&] { shop.controller.emergency_stop(); });
   for (int i = 0; i < 5000 && shop.tick() != State::emergency_stop; ++i) {
   }

@@ -13,7 +13,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr const char* kLongLine = "G21 G90\nG1 X300 F6000\nM2\n";
+constexpr const char* kLineOf300 = "G21 G90\nG1 X300 F6000\nM2\n";
 
 void expect_refused(const tl::expected<void, Refusal>& given, State state) {
   ASSERT_FALSE(given);
@@ -23,7 +23,7 @@ void expect_refused(const tl::expected<void, Refusal>& given, State state) {
 
 TEST(Doors, HoldAProgramInMotionWithinTwentyMilliseconds) {
   Shop shop;
-  shop.begin(kLongLine);
+  shop.begin(kLineOf300);
   const double v_mm_s = shop.setpoint.v_mm_s;
   ASSERT_GT(v_mm_s, 50.0);
   shop.controller.set_door(true);
@@ -154,7 +154,7 @@ TEST(Doors, StopAJogAndHoming) {
 
 TEST(Doors, AreToldOnceEachTimeTheyStopAMotion) {
   Shop shop;
-  shop.begin(kLongLine);
+  shop.begin(kLineOf300);
   const std::uint64_t before = shop.controller.status().next_event;
   shop.controller.set_door(true);
   shop.tick_until(State::held);

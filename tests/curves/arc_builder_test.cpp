@@ -4,15 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "curves/curve_builders.hpp"
+#include "tests/curves/distance.hpp"
 
 namespace kerf::curves {
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-double distance_mm(const Position& a, const Position& b) {
-  return (vec(a) - vec(b)).norm();
-}
 
 TEST(ArcBuilder, MakesAnExactArcOfRadiiThatAgree) {
   const auto made = make_arc({.start_mm = {5.0, 0.0, 0.0}, .end_mm = {0.0, 5.0, 0.0}});
@@ -43,7 +38,7 @@ TEST(ArcBuilder, LetsTheRadiusChangeEvenlyWhereACircleWouldNotClose) {
   // sweep.
   for (const bool clockwise : {false, true}) {
     const double sense = clockwise ? -1.0 : 1.0;
-    const double sweep = 2.0 * kPi - 0.001;
+    const double sweep = 2.0 * std::numbers::pi - 0.001;
     const Position end{1.0 + 10.01 * std::cos(sweep), 2.0 + sense * 10.01 * std::sin(sweep), 7.0};
     const auto made = make_arc({.start_mm = {11.0, 2.0, 3.0},
                                 .end_mm = end,
@@ -59,7 +54,7 @@ TEST(ArcBuilder, LetsTheRadiusChangeEvenlyWhereACircleWouldNotClose) {
       const Position p = curve.at(curve.length_mm() * i / 1000.0);
       double angle = sense * std::atan2(p[1] - 2.0, p[0] - 1.0);
       if (angle < -1e-9)
-        angle += 2.0 * kPi;
+        angle += 2.0 * std::numbers::pi;
       EXPECT_NEAR(std::hypot(p[0] - 1.0, p[1] - 2.0), 10.0 + 0.01 * angle / sweep, 1e-10);
       EXPECT_NEAR(p[2], 3.0 + 4.0 * angle / sweep, 1e-10);
     }
@@ -90,8 +85,8 @@ TEST(ArcBuilder, SpiralsInEveryPlane) {
     ASSERT_TRUE(std::holds_alternative<NurbsCurve>(*made));
     const PathDerivatives d = std::get<NurbsCurve>(*made).derivatives_at(0.0);
     EXPECT_NEAR(d.first[second], 1.0, 1e-4);  // off the circle by the growth, 0.5 in 4 pi 10
-    EXPECT_NEAR(d.first[first], 0.5 / (4.0 * kPi * 10.0), 1e-4);
-    EXPECT_NEAR(std::get<NurbsCurve>(*made).length_mm(), 4.0 * kPi * 10.25, 1e-3);
+    EXPECT_NEAR(d.first[first], 0.5 / (4.0 * std::numbers::pi * 10.0), 1e-4);
+    EXPECT_NEAR(std::get<NurbsCurve>(*made).length_mm(), 4.0 * std::numbers::pi * 10.25, 1e-3);
   }
 }
 

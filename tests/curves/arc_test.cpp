@@ -6,14 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/curves/distance.hpp"
+
 namespace kerf::curves {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-double distance_mm(const Position& a, const Position& b) {
-  return (vec(a) - vec(b)).norm();
-}
 
 Arc quarter(int normal_axis, bool clockwise) {
   // From the plane's first axis to its second (or to minus the second), radius 5 about the zero.

@@ -8,6 +8,7 @@
 
 #include "curves/arc.hpp"
 #include "curves/arc_length.hpp"
+#include "tests/curves/distance.hpp"
 #include "tests/curves/reference_nurbs.hpp"
 #include "tests/curves/shipped_curves.hpp"
 
@@ -16,10 +17,6 @@ namespace {
 
 using testing::shipped_curve;
 using testing::uniform_knots;
-
-double distance_mm(const Position& a, const Position& b) {
-  return (vec(a) - vec(b)).norm();
-}
 
 NurbsData polynomial(int degree, const std::vector<Position>& points) {
   NurbsData data{.degree = degree, .points = {}, .knots = uniform_knots(degree, points.size())};

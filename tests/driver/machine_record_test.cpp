@@ -20,7 +20,7 @@ using machine::DriveFault;
 
 constexpr double kPeriod_s = 0.001;
 
-Setpoint setpoint_at(int tick) {
+Setpoint recorded_at(int tick) {
   return {.tick = tick, .position_mm = {0.01 * tick, -0.003 * tick, 0.0}};
 }
 
@@ -32,7 +32,7 @@ class Records : public testing::Test {
     RecordingMachine machine(std::make_unique<machine::SimulatedTable>(TableSettings{}), **writer);
     machine.enable({});
     for (int tick = 0; tick < ticks; ++tick) {
-      machine.write(setpoint_at(tick));
+      machine.write(recorded_at(tick));
       states_.push_back(machine.read());
     }
     machine.disable();
@@ -58,7 +58,7 @@ TEST_F(Records, AnswerARunOnceMoreBitForBit) {
   EXPECT_EQ(replay.read().fault, DriveFault::not_enabled);
   replay.enable({});
   for (int tick = 0; tick < 500; ++tick) {
-    replay.write(setpoint_at(tick));
+    replay.write(recorded_at(tick));
     ASSERT_EQ(to_bytes(AnswerFrame{.state = replay.read()}),
               to_bytes(AnswerFrame{.state = states_[static_cast<std::size_t>(tick)]}));
   }
@@ -72,13 +72,13 @@ TEST_F(Records, FaultAtTheVeryTickThatIsAnother) {
   record(10);
   ReplayingMachine replay(RecordReader::open(path_, kPeriod_s).value());
   replay.enable({});
-  replay.write(setpoint_at(0));
-  Setpoint other = setpoint_at(1);
+  replay.write(recorded_at(0));
+  Setpoint other = recorded_at(1);
   other.position_mm[0] = std::nextafter(other.position_mm[0], 1.0);
   replay.write(other);
   EXPECT_EQ(replay.read().fault, DriveFault::another_run);
   EXPECT_EQ(replay.read().axes[0], machine::AxisState::off);
-  replay.write(setpoint_at(2));
+  replay.write(recorded_at(2));
   EXPECT_EQ(replay.read().fault, DriveFault::another_run);
 }
 
@@ -86,10 +86,10 @@ TEST_F(Records, FaultWhereTheRunGoesOnLongerThanTheRecord) {
   record(2);
   ReplayingMachine replay(RecordReader::open(path_, kPeriod_s).value());
   replay.enable({});
-  replay.write(setpoint_at(0));
-  replay.write(setpoint_at(1));
+  replay.write(recorded_at(0));
+  replay.write(recorded_at(1));
   EXPECT_EQ(replay.read().fault, DriveFault::none);
-  replay.write(setpoint_at(2));
+  replay.write(recorded_at(2));
   EXPECT_EQ(replay.read().fault, DriveFault::another_run);
 }
 
@@ -164,7 +164,7 @@ TEST_F(Records, AreWrittenAndAnsweredWithoutAllocationsLocksOrWritesInTheTick) {
     machine::MachineState state;
     driven.enable({});
     for (int tick = 0; tick < 1000; ++tick) {
-      driven.write(setpoint_at(tick));
+      driven.write(recorded_at(tick));
       state = driven.read();
     }
     driven.disable();

@@ -21,25 +21,25 @@ namespace {
 constexpr std::int64_t kBlocked = 900;  // ticks: the horizon, the way to rest and a rest after it
 
 // A signal's handler runs in the planning thread and blocks it.
-std::atomic<bool> blocks = false;
+std::atomic<bool> blocks_planning = false;
 std::atomic<bool> is_blocked = false;
 
 void block_thread(int /*signal*/) {
   is_blocked = true;
-  while (blocks) {
+  while (blocks_planning) {
   }
   is_blocked = false;
 }
 
-enum class Operator : std::uint8_t { none, changes_the_feed };
+enum class OperatorAct : std::uint8_t { none, changes_the_feed };
 
 class PlanningThread {
  public:
-  PlanningThread(Kernel& kernel, Operator by)
+  PlanningThread(Kernel& kernel, OperatorAct by)
       : thread_([this, &kernel, by] {
           constexpr std::int64_t kPlansOfAFeed = 7;
           while (!over_) {
-            if (by == Operator::changes_the_feed && plans_ % kPlansOfAFeed == 0) {
+            if (by == OperatorAct::changes_the_feed && plans_ % kPlansOfAFeed == 0) {
               kernel.set_overrides({.feed = 0.4 + 0.1 * static_cast<double>(plans_ % 13)});
             }
             kernel.plan();
@@ -54,13 +54,13 @@ class PlanningThread {
   PlanningThread& operator=(const PlanningThread&) = delete;
 
   void block() {
-    blocks = true;
+    blocks_planning = true;
     pthread_kill(thread_.native_handle(), SIGUSR1);
     while (!is_blocked) {
       std::this_thread::yield();
     }
   }
-  static void release() { blocks = false; }
+  static void release() { blocks_planning = false; }
   // Waits for so many more calls.
   void plan(std::int64_t calls) {
     for (const std::int64_t until = plans_ + calls; plans_ < until;) {
@@ -80,7 +80,7 @@ int runs_or(int few) {
   return text != nullptr ? std::atoi(text) : few;
 }
 
-void expect_rests_where_blocked(int runs, Operator by) {
+void expect_rests_where_blocked(int runs, OperatorAct by) {
   struct sigaction action {};
   action.sa_handler = block_thread;
   ASSERT_EQ(sigaction(SIGUSR1, &action, nullptr), 0);
@@ -123,12 +123,12 @@ void expect_rests_where_blocked(int runs, Operator by) {
 }
 
 TEST(BlockedPlanningThread, IsARestOnThePathWherever) {
-  expect_rests_where_blocked(runs_or(40), Operator::none);
+  expect_rests_where_blocked(runs_or(40), OperatorAct::none);
 }
 
 // Ticks come far faster than planning, so most plans that are to take over are refused.
 TEST(BlockedPlanningThread, IsARestOnThePathWhileTheFeedChanges) {
-  expect_rests_where_blocked(runs_or(10), Operator::changes_the_feed);
+  expect_rests_where_blocked(runs_or(10), OperatorAct::changes_the_feed);
 }
 
 }  // namespace

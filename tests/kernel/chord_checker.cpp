@@ -8,11 +8,11 @@ namespace kerf::test {
 
 namespace {
 
-constexpr int kParts = 8;  // of a stretch between two ticks
+constexpr int kPartsOfStretch = 8;  // of a stretch between two ticks
 constexpr int kMaxSteps = 40;
 constexpr double kSameParameter = 1e-14;
 // What the scan's straight lines between its samples may miss of a curve's bound.
-constexpr double kRelative = 1e-3;
+constexpr double kRelativeToChord = 1e-3;
 // The kernel looks at the quarters of a tick, this checker closer: where the path bends unevenly
 // the kernel sees less of it.
 constexpr double kMinAccount = 0.3;
@@ -51,7 +51,7 @@ struct Range {
 // Of the points that part the range of a stretch evenly, then of those a half and a quarter of
 // their distance beside the farthest.
 double farthest_mm(const Stretch& stretch, const Range& u, const Chord& chord) {
-  const double apart = (u.end - u.begin) / kParts;
+  const double apart = (u.end - u.begin) / kPartsOfStretch;
   double worst_mm = 0.0;
   double worst_u = u.begin;
   const auto look = [&](double at) {
@@ -59,7 +59,7 @@ double farthest_mm(const Stretch& stretch, const Range& u, const Chord& chord) {
     worst_u = found_mm > worst_mm ? at : worst_u;
     worst_mm = std::max(worst_mm, found_mm);
   };
-  for (int k = 0; k <= kParts; ++k) {
+  for (int k = 0; k <= kPartsOfStretch; ++k) {
     look(u.begin + apart * k);
   }
   for (const double beside : {0.5 * apart, 0.25 * apart}) {
@@ -166,7 +166,7 @@ void ChordChecker::add(const interp::Setpoint& setpoint, double kernel_says_mm) 
   largest_mm_ = std::max(largest_mm_, found_mm);
   const double freedom_mm =
       4.0 * std::max((*path_)[before.stretch].freedom_mm, (*path_)[here_.stretch].freedom_mm);
-  const double limit_mm = tolerance_mm_ * (1.0 + kRelative) + freedom_mm;
+  const double limit_mm = tolerance_mm_ * (1.0 + kRelativeToChord) + freedom_mm;
   if (!(found_mm <= limit_mm)) {
     complain("chord error", found_mm, limit_mm, setpoint);
   }

@@ -19,7 +19,7 @@ namespace {
 
 using interp::Setpoint;
 
-constexpr std::int64_t kMaxTicks = 2'000'000;
+constexpr std::int64_t kMaxCommandedTicks = 2'000'000;
 constexpr std::int64_t kLatest = 700;  // ticks without planning
 
 enum class Order : std::uint8_t { hold, late, override, single_block, stop, emergency_stop };
@@ -177,7 +177,7 @@ std::vector<Setpoint> whole_run(const std::string& text, const KernelOptions& op
   kernel.finish();
   std::vector<Setpoint> ticks(1);
   while (is_going_on(kernel.next(ticks.back())) &&
-         ticks.size() < static_cast<std::size_t>(kMaxTicks)) {
+         ticks.size() < static_cast<std::size_t>(kMaxCommandedTicks)) {
     ticks.emplace_back();
   }
   return ticks;
@@ -218,7 +218,7 @@ CommandedRun commanded_run(std::uint64_t seed, Commands commands, Programs progr
   double off_mm = 0.0;
   bool starves_in_motion = false;
   TickStatus status = TickStatus::running;
-  for (; !is_over(status) && run.ticks < kMaxTicks; ++run.ticks) {
+  for (; !is_over(status) && run.ticks < kMaxCommandedTicks; ++run.ticks) {
     const bool in_time = by.before(run.ticks);
     if (has_threads) {
       if (in_time) {

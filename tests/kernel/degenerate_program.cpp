@@ -8,13 +8,13 @@ namespace kerf::test {
 
 namespace {
 
-constexpr double kTravel_mm = 150.0;
+constexpr double kSmallTravel_mm = 150.0;
 constexpr double kAny_mm_s = 1e12;  // no feedrate is judged: lines of a loop are many
 constexpr double kPi = 3.14159265358979323846;
 
-class Writer {
+class DegenerateWriter {
  public:
-  explicit Writer(std::uint64_t seed) : random_(seed) {}
+  explicit DegenerateWriter(std::uint64_t seed) : random_(seed) {}
 
   RandomProgram write() {
     line("G21 G90 G17 G94 G40 G49 G80 G91.1 F" + number(uniform(100.0, 6000.0), 0));
@@ -336,7 +336,7 @@ class Writer {
       if (axis == 0 || chance(0.4)) {
         const double reach = std::pow(10.0, uniform(-5.0, 1.3));
         double to = here_[axis] + reach * sign();
-        to = std::abs(to) > kTravel_mm ? 0.0 : to;
+        to = std::abs(to) > kSmallTravel_mm ? 0.0 : to;
         const std::string at = number(to, 6);
         text += std::string(" ") + letter(axis) + at;
         here_[axis] = std::strtod(at.c_str(), nullptr);
@@ -374,7 +374,7 @@ class Writer {
 }  // namespace
 
 RandomProgram degenerate_program(std::uint64_t seed) {
-  return Writer(seed).write();
+  return DegenerateWriter(seed).write();
 }
 
 }  // namespace kerf::test

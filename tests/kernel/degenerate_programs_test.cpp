@@ -19,11 +19,11 @@ namespace {
 
 using profiles::ProfileKind;
 
-constexpr std::uint64_t kShards = 10;
+constexpr std::uint64_t kDegenerateShards = 10;
 #ifdef KERF_SLOW_BUILD
-constexpr std::uint64_t kPrograms = 200;
+constexpr std::uint64_t kDegeneratePrograms = 200;
 #else
-constexpr std::uint64_t kPrograms = 2000;
+constexpr std::uint64_t kDegeneratePrograms = 2000;
 #endif
 
 // Every second by the default profile.
@@ -72,7 +72,8 @@ TEST(DegenerateMoves, LeaveTheOthersOfTheirProgramAsTheyAre) {
 class DegeneratePrograms : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(DegeneratePrograms, KeepEveryLimitAndEndWhereTheySay) {
-  for (std::uint64_t seed = GetParam(); seed < kPrograms && !HasFailure(); seed += kShards) {
+  for (std::uint64_t seed = GetParam(); seed < kDegeneratePrograms && !HasFailure();
+       seed += kDegenerateShards) {
     const Way way{.kind = kind_of(seed)};
     SCOPED_TRACE("seed " + std::to_string(seed) + ", profile " +
                  std::string(profiles::name_of(way.kind)));
@@ -86,7 +87,8 @@ TEST_P(DegeneratePrograms, KeepEveryLimitAndEndWhereTheySay) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shard, DegeneratePrograms, testing::Range<std::uint64_t>(0, kShards));
+INSTANTIATE_TEST_SUITE_P(Shard, DegeneratePrograms,
+                         testing::Range<std::uint64_t>(0, kDegenerateShards));
 
 }  // namespace
 }  // namespace kerf::test

@@ -14,7 +14,7 @@ namespace {
 using interp::LineChange;
 using interp::MotionQueue;
 
-constexpr double kTs = 0.001;
+constexpr double kPeriod_s = 0.001;
 constexpr std::int64_t kFar = 1'000'000'000;
 
 interp::CurvePiece piece(double length_mm) {
@@ -59,7 +59,7 @@ TEST(Delivery, MoreLinesThanTheRingHoldsReachTheirTicks) {
   constexpr double kLength_mm = kStep_mm * kLines;
   const auto queue = std::make_unique<MotionQueue>();
   Delivery delivery(*queue, [] {});
-  interp::Interpolator interpolator(*queue, kTs, {});
+  interp::Interpolator interpolator(*queue, kPeriod_s, {});
   lookahead::Outbox& outbox = delivery.outbox();
   outbox.pieces.push_back(piece(kLength_mm));
   for (std::size_t i = 0; i < kLines; ++i) {

@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double kWay_mm = 149.996;
+constexpr double kWayOfProgram_mm = 149.996;
 constexpr double kStep_mm = 0.014;
 
 // Of line i.
@@ -22,7 +22,7 @@ double power(int i) {
 
 std::string raster_row() {
   std::string text = "G21 G90 G61 F9000\n";
-  for (int i = 1; i * kStep_mm <= kWay_mm + 1e-9; ++i) {
+  for (int i = 1; i * kStep_mm <= kWayOfProgram_mm + 1e-9; ++i) {
     text += "M67 E0 Q" + std::to_string(power(i)) + "\nG1 X" + std::to_string(i * kStep_mm) + "\n";
   }
   return text + "M2\n";
@@ -30,7 +30,7 @@ std::string raster_row() {
 
 void expect_in_step(const WatchedRun& run) {
   EXPECT_EQ(run.complaint, "");
-  EXPECT_NEAR(run.ticks.back().position_mm[0], kWay_mm, 1e-9);
+  EXPECT_NEAR(run.ticks.back().position_mm[0], kWayOfProgram_mm, 1e-9);
   int rests = 0;
   bool rested = true;
   for (const Setpoint& at : run.ticks) {
@@ -40,7 +40,7 @@ void expect_in_step(const WatchedRun& run) {
     const double lines = at.s_mm / kStep_mm;
     const int line = static_cast<int>(lines) + 1;
     const bool is_at_joint = std::abs(lines - std::round(lines)) < 1e-6;
-    if (at.s_mm > 0.0 && at.s_mm < kWay_mm && !is_at_joint) {
+    if (at.s_mm > 0.0 && at.s_mm < kWayOfProgram_mm && !is_at_joint) {
       ASSERT_NEAR(at.outputs.analog[0], power(line), 1e-12) << "at " << at.s_mm;
     }
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr int kMaxHalvings = 50;
 // Each span of knots at first in so many even parts, and towards its ends in halves: where weights
 // are far apart, the curve runs there.
-constexpr int kParts = 16;
+constexpr int kPartsOfPiece = 16;
 constexpr int kTowardsEnds = 36;
 // Of the length, and of the place of a tick.
 constexpr double kLengths = 1e-8;
@@ -22,7 +22,7 @@ constexpr double kBeside_mm = 1e-6;
 constexpr double kUneven = 1.5;
 constexpr double kTiny_mm = 1e-9;
 // What the scan's straight lines between its samples may miss of a curve's bound.
-constexpr double kRelative = 1e-3;
+constexpr double kRelativeToLength = 1e-3;
 
 double distance_mm(const Vec& a, const Vec& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
@@ -78,8 +78,8 @@ class Dense {
 
   void add_segment(double from, double to) {
     std::vector<double> shares{1.0};
-    for (int k = 1; k < kParts; ++k) {
-      shares.push_back(static_cast<double>(k) / kParts);
+    for (int k = 1; k < kPartsOfPiece; ++k) {
+      shares.push_back(static_cast<double>(k) / kPartsOfPiece);
     }
     for (int k = 5; k < kTowardsEnds; ++k) {
       shares.push_back(std::ldexp(1.0, -k));
@@ -160,11 +160,11 @@ void DenseChecker::add(const interp::Setpoint& setpoint) {
   const double off_mm =
       distance_mm(position_mm_, between(before.position_mm, after.position_mm, share));
   largest_mm_ = std::max(largest_mm_, error_mm);
-  const double sag_mm = kRelative * tolerance_mm_;
+  const double sag_mm = kRelativeToLength * tolerance_mm_;
   if (!(off_mm <= kBeside_mm + sag_mm)) {
     complain("distance from the curve", off_mm, setpoint);
   }
-  if (!(error_mm <= tolerance_mm_ + 2.0 * sag_mm + kBeside_mm * kRelative)) {
+  if (!(error_mm <= tolerance_mm_ + 2.0 * sag_mm + kBeside_mm * kRelativeToLength)) {
     complain("chord error", error_mm, setpoint);
   }
 }

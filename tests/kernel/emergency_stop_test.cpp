@@ -21,12 +21,12 @@ namespace {
 // Of the second differences over the limit, where a bend tightens.
 constexpr double kRounding = 1.0007;
 
-struct Stopped {
+struct EmergencyStopped {
   std::vector<Setpoint> ticks;  // from two before the stop on
   TickStatus status = TickStatus::running;
 };
 
-void stop(Kernel& kernel, Stopped& stopped) {
+void stop(Kernel& kernel, EmergencyStopped& stopped) {
   kernel.emergency_stop();
   for (int i = 0; i < 1000 && stopped.status == TickStatus::running; ++i) {
     Setpoint setpoint;
@@ -35,12 +35,12 @@ void stop(Kernel& kernel, Stopped& stopped) {
   }
 }
 
-Stopped stop_at(std::int64_t tick, const std::string& text, const KernelOptions& options,
-                const MachineSettings& machine = mill()) {
+EmergencyStopped stop_at(std::int64_t tick, const std::string& text, const KernelOptions& options,
+                         const MachineSettings& machine = mill()) {
   Kernel kernel(machine, options);
   kernel.feed(text);
   kernel.finish();
-  Stopped stopped;
+  EmergencyStopped stopped;
   Setpoint setpoint;
   for (std::int64_t i = 0; i < tick; ++i) {
     kernel.plan();
@@ -85,7 +85,7 @@ TEST(EmergencyStop, KeepsAccelerationsAndThePathWhenever) {
     const auto whole = ticks_of(mixed_program(), options);
     for (std::int64_t tick = 3; tick < whole.back().tick; tick += 37) {
       SCOPED_TRACE(std::string(name_of(kind)) + ", tick " + std::to_string(tick));
-      const Stopped stopped = stop_at(tick, mixed_program(), options);
+      const EmergencyStopped stopped = stop_at(tick, mixed_program(), options);
       ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
       EXPECT_LE(largest_share(stopped.ticks), kRounding);
       for (std::size_t i = 1; i < stopped.ticks.size(); ++i) {
@@ -109,7 +109,7 @@ TEST(EmergencyStop, KeepsTheAccelerationsOfUnequalAxesInABend) {
   machine.limits.axes[1] = {
       .velocity_mm_s = 180.0, .acceleration_mm_s2 = 1500.0, .jerk_mm_s3 = 30'000.0};
   for (std::int64_t tick = 950; tick < 990; tick += 5) {
-    const Stopped stopped = stop_at(tick, text, {}, machine);
+    const EmergencyStopped stopped = stop_at(tick, text, {}, machine);
     ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
     EXPECT_LE(largest_share(stopped.ticks, machine), kRounding) << "tick " << tick;
   }
@@ -160,12 +160,12 @@ TEST(EmergencyStop, KeepsTheLimitsOfUnequalAxesWhereTheyLetNoneBrake) {
   Kernel kernel(machine);
   kernel.feed(text);
   kernel.finish();
-  Stopped run;
+  EmergencyStopped run;
   for (std::int64_t tick = 0; tick < 3000; ++tick) {
     if (tick >= 100 && tick % 7 == 2) {
       ASSERT_EQ(run.status, TickStatus::running);
       EXPECT_TRUE(holds_in_copy([&] {
-        Stopped stopped{.ticks = {run.ticks.end() - 2, run.ticks.end()}};
+        EmergencyStopped stopped{.ticks = {run.ticks.end() - 2, run.ticks.end()}};
         stop(kernel, stopped);
         return stopped.status == TickStatus::emergency_stop &&
                largest_share(stopped.ticks, machine) <= kRounding;
@@ -179,7 +179,7 @@ TEST(EmergencyStop, KeepsTheLimitsOfUnequalAxesWhereTheyLetNoneBrake) {
 
 // v^2 / 2A, with the whole acceleration from the next tick on.
 TEST(EmergencyStop, OnALineTakesTheShortestWay) {
-  const Stopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {});
+  const EmergencyStopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {});
   EXPECT_NEAR(stopped.ticks.back().s_mm - stopped.ticks[1].s_mm, 100.0 * 100.0 / 4000.0, 1e-6);
   EXPECT_EQ(stopped.ticks.back().v_mm_s, 0.0);
 }
@@ -187,7 +187,7 @@ TEST(EmergencyStop, OnALineTakesTheShortestWay) {
 TEST(EmergencyStop, KeepsTheAccelerationOfThePathWhereTheAxesHaveMore) {
   MachineSettings machine = mill();
   machine.limits.path.acceleration_mm_s2 = 800.0;
-  const Stopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {}, machine);
+  const EmergencyStopped stopped = stop_at(1000, "G21 G90\nG1 X1000 F6000\nM2\n", {}, machine);
   EXPECT_NEAR(stopped.ticks.back().s_mm - stopped.ticks[1].s_mm, 100.0 * 100.0 / 1600.0, 1e-6);
 }
 
@@ -206,7 +206,7 @@ TEST(EmergencyStop, TakesTheWholeAccelerationOfAFurtherAxisThatBrakesTheLeast) {
                                    {"X500 A90 U300", kU},
                                    {"A600", kA}}) {
     SCOPED_TRACE(move);
-    const Stopped stopped =
+    const EmergencyStopped stopped =
         stop_at(1200, std::string("G21 G90 G61\nG1 F6000 ") + move + "\nM2\n", {}, machine);
     ASSERT_EQ(stopped.status, TickStatus::emergency_stop);
     const auto at = [&](const Setpoint& tick) { return tick.extra_rad_mm.at(axis); };
@@ -220,7 +220,7 @@ TEST(EmergencyStop, TakesTheWholeAccelerationOfAFurtherAxisThatBrakesTheLeast) {
 }
 
 TEST(EmergencyStop, TurnsSpindleAndCoolantOffAtOnce) {
-  const Stopped stopped = stop_at(1000, "G21 G90 M3 S1000 M8\nG1 X1000 F6000\nM2\n", {});
+  const EmergencyStopped stopped = stop_at(1000, "G21 G90 M3 S1000 M8\nG1 X1000 F6000\nM2\n", {});
   EXPECT_NE(stopped.ticks[1].outputs.spindle_rad_s, 0.0);
   EXPECT_TRUE(stopped.ticks[1].outputs.flood);
   EXPECT_EQ(stopped.ticks[2].outputs.spindle_rad_s, 0.0);

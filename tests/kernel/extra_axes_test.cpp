@@ -15,7 +15,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180.0;
+constexpr double kRadPerDegree = 3.14159265358979323846 / 180.0;
 
 // The mill with an axis A of 180 deg/s and a slow axis U.
 MachineSettings mill_with_axes() {
@@ -72,17 +72,17 @@ TEST(ExtraAxes, MoveInStepWithLinesAndArcs) {
   const Motion line = run("G1 X30 A60 U3 F6000");
   EXPECT_EQ(line.complaint, "");
   for (const Setpoint& tick : line.ticks) {
-    EXPECT_NEAR(tick.extra_rad_mm[0], 60 * kDegree * tick.position_mm[0] / 30, 1e-12);
+    EXPECT_NEAR(tick.extra_rad_mm[0], 60 * kRadPerDegree * tick.position_mm[0] / 30, 1e-12);
     EXPECT_NEAR(tick.extra_rad_mm[3], tick.position_mm[0] / 10, 1e-12);
   }
-  EXPECT_EQ(line.ticks.back().extra_rad_mm[0], 60 * kDegree);
+  EXPECT_EQ(line.ticks.back().extra_rad_mm[0], 60 * kRadPerDegree);
   EXPECT_EQ(line.ticks.back().extra_rad_mm[3], 3.0);
   const Motion helix = run("G3 X0 Y0 I10 Z5 A-90 F6000");
   EXPECT_EQ(helix.complaint, "");
   for (const Setpoint& tick : helix.ticks) {
-    EXPECT_NEAR(tick.extra_rad_mm[0], -90 * kDegree * tick.position_mm[2] / 5, 1e-9);
+    EXPECT_NEAR(tick.extra_rad_mm[0], -90 * kRadPerDegree * tick.position_mm[2] / 5, 1e-9);
   }
-  EXPECT_EQ(helix.ticks.back().extra_rad_mm[0], -90 * kDegree);
+  EXPECT_EQ(helix.ticks.back().extra_rad_mm[0], -90 * kRadPerDegree);
 }
 
 TEST(ExtraAxes, BindThePathWhereTheyAreTheSlowest) {
@@ -94,8 +94,8 @@ TEST(ExtraAxes, BindThePathWhereTheyAreTheSlowest) {
 TEST(ExtraAxes, RunAloneAtTheirOwnFeedrate) {
   const Motion turning = run("G1 A180 F3600");  // 60 deg/s
   EXPECT_EQ(turning.complaint, "");
-  EXPECT_NEAR(fastest(turning.ticks, 0), 60 * kDegree, 1e-9);
-  EXPECT_EQ(turning.ticks.back().extra_rad_mm[0], 180 * kDegree);
+  EXPECT_NEAR(fastest(turning.ticks, 0), 60 * kRadPerDegree, 1e-9);
+  EXPECT_EQ(turning.ticks.back().extra_rad_mm[0], 180 * kRadPerDegree);
   EXPECT_EQ(turning.ticks.back().s_mm, 0.0);
   EXPECT_EQ(turning.ticks.back().position_mm, (curves::Position{}));
   const Motion straight = run("G1 U20 A90 F600");
@@ -160,7 +160,7 @@ TEST(ExtraAxes, KeepTheirPlaceInBlendedCornersAndMergedLines) {
   EXPECT_EQ(motion.complaint, "");
   for (const Setpoint& tick : motion.ticks) {
     if (tick.line > 2) {
-      ASSERT_EQ(tick.extra_rad_mm[0], 30.0 * kDegree) << "tick " << tick.tick;
+      ASSERT_EQ(tick.extra_rad_mm[0], 30.0 * kRadPerDegree) << "tick " << tick.tick;
       ASSERT_EQ(tick.extra_rad_mm[3], -2.0) << "tick " << tick.tick;
     }
   }
@@ -179,7 +179,7 @@ TEST(ExtraAxes, AreCheckedForTheirTravelBeforeTheStart) {
   EXPECT_EQ(report.limit_faults[0].source.line, 2U);
   EXPECT_EQ(report.limit_faults[0].message,
             "a goes 127.042 deg beyond its upper limit of 572.958 deg");
-  EXPECT_NEAR(report.extra_extents.max_rad_mm[0], 700 * kDegree, 1e-12);
+  EXPECT_NEAR(report.extra_extents.max_rad_mm[0], 700 * kRadPerDegree, 1e-12);
   EXPECT_EQ(report.extra_extents.min_rad_mm[0], 0.0);
 }
 
@@ -215,7 +215,7 @@ TEST(ExtraAxes, BeginWhereTheCallerSays) {
   kernel.finish();
   const auto ticks = rest_of(kernel);
   EXPECT_EQ(ticks.front().extra_rad_mm[0], 0.5);
-  EXPECT_NEAR(ticks.back().extra_rad_mm[0], 0.5 + 10 * kDegree, 1e-15);
+  EXPECT_NEAR(ticks.back().extra_rad_mm[0], 0.5 + 10 * kRadPerDegree, 1e-15);
 }
 
 }  // namespace

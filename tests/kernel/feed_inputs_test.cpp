@@ -23,7 +23,7 @@ double fastest_mm_s(const WatchedRun& run, std::uint32_t line) {
   return most;
 }
 
-WatchedRun run_with(const std::string& text, const InputsAt& inputs) {
+WatchedRun run_with_inputs(const std::string& text, const InputsAt& inputs) {
   return watched_run({.text = text, .options = {.profile = {.kind = ProfileKind::time_optimal}}},
                      [&](Kernel& kernel, const WatchedRun& run) {
                        if (const auto now = inputs.find(run.next()); now != inputs.end()) {
@@ -39,7 +39,7 @@ bool same_end(const WatchedRun& a, const WatchedRun& b) {
 
 TEST(AdaptiveFeed, IsFollowedUnderM52Alone) {
   const std::string text = "G61 G1 X40 F3000\nM52 P1\nX80\nG0 X0\nM52 P0\nG1 X40\nM2\n";
-  const WatchedRun run = run_with(text, {{0, {.adaptive = 0.5}}});
+  const WatchedRun run = run_with_inputs(text, {{0, {.adaptive = 0.5}}});
   EXPECT_EQ(run.complaint, "");
   EXPECT_NEAR(fastest_mm_s(run, 1), 50.0, 0.05);
   EXPECT_NEAR(fastest_mm_s(run, 3), 25.0, 0.05);
@@ -49,7 +49,7 @@ TEST(AdaptiveFeed, IsFollowedUnderM52Alone) {
 
 TEST(AdaptiveFeed, MayChangeInMotion) {
   const std::string text = "G61 M52 P1\nG1 X100 F3000\nM2\n";
-  const WatchedRun run = run_with(text, {{500, {.adaptive = 0.2}}, {1500, {}}});
+  const WatchedRun run = run_with_inputs(text, {{500, {.adaptive = 0.2}}, {1500, {}}});
   EXPECT_EQ(run.complaint, "");
   EXPECT_NEAR(run.ticks.at(400).v_mm_s, 50.0, 0.05);
   EXPECT_NEAR(run.ticks.at(1400).v_mm_s, 10.0, 0.05);
@@ -58,8 +58,8 @@ TEST(AdaptiveFeed, MayChangeInMotion) {
 
 TEST(AdaptiveFeed, Of0HoldsFromTheBlockOnThatFollowsIt) {
   const std::string text = "G61 G1 X40 F3000\nM52 P1\nX80\nM2\n";
-  const WatchedRun free = run_with(text, {});
-  const WatchedRun run = run_with(text, {{0, {.adaptive = 0.0}}, {3000, {.adaptive = 1.0}}});
+  const WatchedRun free = run_with_inputs(text, {});
+  const WatchedRun run = run_with_inputs(text, {{0, {.adaptive = 0.0}}, {3000, {.adaptive = 1.0}}});
   EXPECT_EQ(run.complaint, "");
   EXPECT_GT(run.count(TickStatus::held), 500);
   EXPECT_GE(run.first_held().position_mm[0], 40.0);
@@ -78,12 +78,12 @@ TEST(AdaptiveFeed, OutOfItsRangeIsRefused) {
 
 TEST(FeedStop, HoldsWhereverItComesAndIsOverWithTheInput) {
   const std::string text = mixed_program();
-  const WatchedRun free = run_with(text, {});
+  const WatchedRun free = run_with_inputs(text, {});
   ASSERT_EQ(free.complaint, "");
   const auto end = static_cast<std::int64_t>(free.ticks.size());
   for (std::int64_t tick = 13; tick < end; tick += end / 23) {
     SCOPED_TRACE(tick);
-    const WatchedRun run = run_with(text, {{tick, {.stop = true}}, {tick + 900, {}}});
+    const WatchedRun run = run_with_inputs(text, {{tick, {.stop = true}}, {tick + 900, {}}});
     EXPECT_EQ(run.complaint, "");
     EXPECT_TRUE(same_end(run, free));
     if (tick + kLongestStop_ticks < end) {
@@ -94,8 +94,8 @@ TEST(FeedStop, HoldsWhereverItComesAndIsOverWithTheInput) {
 
 TEST(FeedStop, LeavesTheWayUnderM53P0) {
   const std::string text = "G61 M53 P0\nG1 X40 F3000\nM53\nX80\nM2\n";
-  const WatchedRun free = run_with(text, {});
-  const WatchedRun run = run_with(text, {{100, {.stop = true}}, {4000, {}}});
+  const WatchedRun free = run_with_inputs(text, {});
+  const WatchedRun run = run_with_inputs(text, {{100, {.stop = true}}, {4000, {}}});
   EXPECT_EQ(run.complaint, "");
   EXPECT_GE(run.first_held().position_mm[0], 40.0);
   EXPECT_LT(run.first_held().position_mm[0], 45.0);

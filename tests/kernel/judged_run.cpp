@@ -12,7 +12,7 @@ namespace kerf::test {
 namespace {
 
 // What the scan of a curve's bound may miss, where only the kernel's account is there.
-constexpr double kRelative = 1e-6;
+constexpr double kRelativeToLimit = 1e-6;
 
 // FNV-1a by words (Fowler, Noll, Vo).
 std::uint64_t stirred(std::uint64_t fingerprint, std::uint64_t word) {
@@ -64,7 +64,7 @@ JudgedRun judged_run(const RandomProgram& program, const MachineSettings& settin
                      kernel.fault()->what;
   } else if (status == interp::TickStatus::starved) {
     run.complaint += "starved";
-  } else if (program.path.empty() && kernel_says_mm > tolerance_mm * (1.0 + kRelative)) {
+  } else if (program.path.empty() && kernel_says_mm > tolerance_mm * (1.0 + kRelativeToLimit)) {
     run.complaint += "chord error " + std::to_string(kernel_says_mm);
   }
   run.ticks = checker.ticks();

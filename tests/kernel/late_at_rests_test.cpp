@@ -12,7 +12,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr std::int64_t kLate = 900;  // ticks
+constexpr std::int64_t kLateAtRest = 900;  // ticks
 
 // Whose ramps are phases longer than the horizon.
 MachineSettings slow_mill() {
@@ -39,7 +39,7 @@ WatchedRun run_late(const WatchedProgram& program, const Lateness& late) {
     }
     const bool waits = run.next() > 0 && run.statuses.back() == TickStatus::waiting;
     waited = waits ? waited + 1 : 0;
-    if (run.next() < late.from || run.next() >= late.from + kLate) {
+    if (run.next() < late.from || run.next() >= late.from + kLateAtRest) {
       kernel.plan();
       if (waited >= 5) {
         kernel.resume();
@@ -108,11 +108,11 @@ TEST(LateAtRests, ADwellIsRunOnceThoughAHoldComesRightBehind) {
     SCOPED_TRACE("late from " + std::to_string(from));
     const WatchedRun run =
         run_ticks({.text = text}, [&](Kernel& kernel, const WatchedRun& ran, Setpoint& setpoint) {
-          if (ran.next() == from + kLate) {
+          if (ran.next() == from + kLateAtRest) {
             kernel.hold();
-          } else if (ran.next() == from + kLate + 30) {
+          } else if (ran.next() == from + kLateAtRest + 30) {
             kernel.resume();
-          } else if (ran.next() < from || ran.next() > from + kLate) {
+          } else if (ran.next() < from || ran.next() > from + kLateAtRest) {
             kernel.plan();
           }
           return kernel.tick(setpoint);

@@ -1,5 +1,4 @@
 // Values of a machine file of which each could be, and not all of them together.
-#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -10,12 +9,11 @@
 
 namespace {
 
+using kerf::kUnbounded;
 using kerf::parse_machine_file;
 using kerf::test::errors_of;
 using kerf::test::kBounded;
 using kerf::test::Lines;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(MachineFileContradictions, WantsTheTravelToHaveALength) {
   for (const char* max_mm : {"3", "2.5"}) {
@@ -91,7 +89,7 @@ TEST(MachineFileContradictions, WantsAHomeSwitchToCloseSomewhere) {
                   "simulation.x.home_min_mm"});
   const auto read = parse_machine_file(kBounded + "[simulation.x]\nhome_max_mm = -10\n");
   ASSERT_TRUE(read);
-  EXPECT_EQ(read->simulation.switches[0].home_min_mm, -kInfinity);
+  EXPECT_EQ(read->simulation.switches[0].home_min_mm, -kUnbounded);
 }
 
 }  // namespace

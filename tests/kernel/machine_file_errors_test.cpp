@@ -3,7 +3,6 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,6 +16,7 @@
 
 namespace {
 
+using kerf::kUnbounded;
 using kerf::MachineSettings;
 using kerf::NumberRule;
 using kerf::parse_machine_file;
@@ -24,8 +24,6 @@ using kerf::test::errors_of;
 using kerf::test::kBounded;
 using kerf::test::kBoundedLines;
 using kerf::test::Lines;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(MachineFileErrors, NamesAnUnknownKeyInEverySection) {
   for (const char* section : {"tick", "path", "axes", "axes.x", "axes.y", "axes.z"}) {
@@ -114,8 +112,8 @@ TEST(MachineFileErrors, RefusesAnImpossibleValueOfEveryKey) {
   for_every_key([](const std::string& section, const NumberRule& rule) {
     const std::string range =
         ", expected a number from " + kerf::text_of(rule.min) + " to " + kerf::text_of(rule.max);
-    std::vector<double> values{std::nextafter(rule.min, -kInfinity),
-                               std::nextafter(rule.max, kInfinity), -1e300, 1e300};
+    std::vector<double> values{std::nextafter(rule.min, -kUnbounded),
+                               std::nextafter(rule.max, kUnbounded), -1e300, 1e300};
     if (rule.min > 0.0) {
       values.push_back(0.0);
       values.push_back(-1.0);

@@ -1,7 +1,6 @@
 // What a machine file says, where it goes, and the files that are shipped.
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -17,13 +16,12 @@
 
 namespace {
 
+using kerf::kUnbounded;
 using kerf::MachineSettings;
 using kerf::NumberRule;
 using kerf::parse_machine_file;
 using kerf::test::kBounded;
 using kerf::test::read_text;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(MachineFile, SaysWhichDialectProgramsAreIn) {
   EXPECT_EQ(parse_machine_file(kBounded)->dialect, kerf::parser::Dialect::rs274);
@@ -102,22 +100,22 @@ TEST(MachineFile, ReadsEveryKeyIntoItsPlace) {
   EXPECT_EQ(drive.viscous_friction_per_s, 25.0);
   EXPECT_EQ(drive.max_following_error_mm, 26.0);
   EXPECT_EQ(read->table.axes[2].travel.min_mm, -31.0);
-  EXPECT_EQ(read->table.axes[2].travel.max_mm, kInfinity);
+  EXPECT_EQ(read->table.axes[2].travel.max_mm, kUnbounded);
 }
 
 TEST(MachineFile, WhatIsLeftOutDoesNotBindOrKeepsItsDefault) {
   const auto read = parse_machine_file(kBounded);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->limits.period_s, 0.001);
-  EXPECT_EQ(read->limits.chord_tolerance_mm, kInfinity);
+  EXPECT_EQ(read->limits.chord_tolerance_mm, kUnbounded);
   EXPECT_EQ(read->program.corner_tolerance_mm, 0.01);
   EXPECT_EQ(read->program.merge_tolerance_mm, 0.01);
   const kerf::AxisDrive defaults{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    EXPECT_EQ(read->limits.axes[axis].velocity_mm_s, kInfinity);
-    EXPECT_EQ(read->limits.axes[axis].acceleration_mm_s2, kInfinity);
-    EXPECT_EQ(read->limits.axes[axis].jerk_mm_s3, kInfinity);
-    EXPECT_EQ(read->table.axes[axis].travel.min_mm, -kInfinity);
+    EXPECT_EQ(read->limits.axes[axis].velocity_mm_s, kUnbounded);
+    EXPECT_EQ(read->limits.axes[axis].acceleration_mm_s2, kUnbounded);
+    EXPECT_EQ(read->limits.axes[axis].jerk_mm_s3, kUnbounded);
+    EXPECT_EQ(read->table.axes[axis].travel.min_mm, -kUnbounded);
     EXPECT_EQ(read->table.axes[axis].drive_velocity_mm_s, defaults.drive_velocity_mm_s);
     EXPECT_EQ(read->table.axes[axis].position_gain_per_s, defaults.position_gain_per_s);
   }
@@ -233,7 +231,7 @@ TEST(MachineFile, ThePapersLimitsAreTheirOwn) {
   EXPECT_EQ(butterfly->limits.path.acceleration_mm_s2, 3000.0);
   EXPECT_EQ(butterfly->limits.path.jerk_mm_s3, 55e3);
   EXPECT_EQ(butterfly->limits.chord_tolerance_mm, 5e-4);
-  EXPECT_EQ(butterfly->limits.axes[0].jerk_mm_s3, kInfinity);
+  EXPECT_EQ(butterfly->limits.axes[0].jerk_mm_s3, kUnbounded);
   const auto quintic = parse_machine_file(read_text("programs/machines/quintic.toml"));
   ASSERT_TRUE(quintic);
   // 0 to 800 mm/min in 0.2 s: T = max(1.875 v / A, sqrt(10 / sqrt(3) v / J)), and the quintic

@@ -17,12 +17,12 @@ using smoothing::PathDeviation;
 
 constexpr double kFinePeriod_s = 5e-5;
 
-double distance_mm(const Position& a, const Position& b) {
+double apart_mm(const Position& a, const Position& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
 // Of a point from the line between two.
-double distance_mm(const Position& point, const Position& begin, const Position& end) {
+double apart_mm(const Position& point, const Position& begin, const Position& end) {
   double along = 0.0;
   double square = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -34,13 +34,13 @@ double distance_mm(const Position& point, const Position& begin, const Position&
   for (std::size_t k = 0; k < 3; ++k) {
     foot[k] = begin[k] + share * (end[k] - begin[k]);
   }
-  return distance_mm(point, foot);
+  return apart_mm(point, foot);
 }
 
-double distance_mm(const Position& point, const std::vector<Position>& lines) {
+double apart_mm(const Position& point, const std::vector<Position>& lines) {
   double nearest = HUGE_VAL;
   for (std::size_t i = 1; i < lines.size(); ++i) {
-    nearest = std::min(nearest, distance_mm(point, lines[i - 1], lines[i]));
+    nearest = std::min(nearest, apart_mm(point, lines[i - 1], lines[i]));
   }
   return nearest;
 }
@@ -56,7 +56,7 @@ double largest_mm(const std::vector<Position>& from, const std::vector<Position>
       for (std::size_t k = 0; k < 3; ++k) {
         place[k] = from[i - 1][k] + share * (from[i][k] - from[i - 1][k]);
       }
-      largest = std::max(largest, distance_mm(place, to));
+      largest = std::max(largest, apart_mm(place, to));
     }
   }
   return largest;
@@ -77,7 +77,7 @@ Found run_of(const std::string& text, double period_s = kFinePeriod_s) {
   Found run;
   for (const Setpoint& tick : rest_of(kernel)) {
     if (!run.ticks_mm.empty()) {
-      run.spacing_mm = std::max(run.spacing_mm, distance_mm(tick.position_mm, run.ticks_mm.back()));
+      run.spacing_mm = std::max(run.spacing_mm, apart_mm(tick.position_mm, run.ticks_mm.back()));
     }
     run.ticks_mm.push_back(tick.position_mm);
   }
@@ -113,7 +113,7 @@ TEST(PathDeviation, HasTheCornersPlaceAndLine) {
   ASSERT_GE(told.line, 4U);
   ASSERT_LE(told.line, 6U);
   const Position& corner = kSquare[told.line - 3];
-  EXPECT_NEAR(distance_mm(told.at_mm, corner), told.distance_mm, 1e-9);
+  EXPECT_NEAR(apart_mm(told.at_mm, corner), told.distance_mm, 1e-9);
 }
 
 TEST(PathDeviation, IsThatOfTheWorstCorner) {
@@ -143,7 +143,7 @@ TEST(PathDeviation, OfATickFromItsOwnLineIsSmallWhereABlendSpansManyLines) {
   for (const Setpoint& tick : ticks) {
     const std::size_t i = tick.line - 2;
     // P, and the length of a line: at a blend's middle two neighbours are as good.
-    ASSERT_LE(distance_mm(tick.position_mm, lines[i - 1], lines[i]), 0.05 + 0.05) << tick.line;
+    ASSERT_LE(apart_mm(tick.position_mm, lines[i - 1], lines[i]), 0.05 + 0.05) << tick.line;
   }
 }
 

@@ -16,12 +16,12 @@ lookahead::Block block(double length_mm, std::uint32_t line) {
   return block;
 }
 
-struct Way {
+struct CheckedWay {
   double begin_mm = 0.0;
   double end_mm = 0.0;
 };
 
-interp::Phase phase(std::uint64_t curve, const Way& way, double path_begin_mm = 0.0) {
+interp::Phase phase(std::uint64_t curve, const CheckedWay& way, double path_begin_mm = 0.0) {
   return {.curve = curve,
           .s_begin_mm = way.begin_mm,
           .s_end_mm = way.end_mm,

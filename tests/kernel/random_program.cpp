@@ -12,9 +12,9 @@ namespace {
 constexpr double kLongestMove_s = 0.7;
 constexpr double kTravel_mm = 2000.0;
 
-class Writer {
+class RandomWriter {
  public:
-  Writer(std::uint64_t seed, const Mix& mix) : random_(seed), mix_(mix) {}
+  RandomWriter(std::uint64_t seed, const Mix& mix) : random_(seed), mix_(mix) {}
 
   RandomProgram write() {
     add_line("G21 G90 G17 G94 G40 G49 G80 G91.1", 0.0);
@@ -254,7 +254,7 @@ double RandomProgram::fastest_mm_s(std::size_t from_line, std::size_t to_line) c
 }
 
 RandomProgram random_program(std::uint64_t seed, const Mix& mix) {
-  return Writer(seed, mix).write();
+  return RandomWriter(seed, mix).write();
 }
 
 }  // namespace kerf::test

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/kernel/environment.hpp"
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/random_machine.hpp"
 
@@ -16,11 +17,6 @@ namespace {
 using profiles::ProfileKind;
 
 // KERF_RANDOM_PROGRAMS and KERF_RANDOM_SEED override count and first seed.
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 // Every so many seeds has limits that are spread over four decades between axes.
 constexpr std::uint64_t kWide = 3;
 
@@ -35,8 +31,8 @@ void expect_clean(std::uint64_t seed, Mix mix, const Way& way) {
   const JudgedRun outcome = judged_run(program, settings, way);
   EXPECT_EQ(outcome.complaint, "") << program.text;
   EXPECT_EQ(outcome.last.position_mm, program.end_mm) << program.text;
-  constexpr double kDegree = 3.14159265358979323846 / 180.0;
-  EXPECT_EQ(outcome.last.extra_rad_mm[0], program.end_a_deg * kDegree) << program.text;
+  constexpr double kDegree_rad = 3.14159265358979323846 / 180.0;
+  EXPECT_EQ(outcome.last.extra_rad_mm[0], program.end_a_deg * kDegree_rad) << program.text;
   EXPECT_EQ(outcome.last.extra_rad_mm[3], program.end_u_mm) << program.text;
 }
 

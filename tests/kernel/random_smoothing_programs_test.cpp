@@ -17,23 +17,23 @@ namespace {
 
 using profiles::ProfileKind;
 
-constexpr std::uint64_t kShards = 10;
+constexpr std::uint64_t kSmoothedShards = 10;
 #ifdef KERF_SLOW_BUILD
-constexpr std::uint64_t kPrograms = 200;
+constexpr std::uint64_t kSmoothedPrograms = 200;
 #else
-constexpr std::uint64_t kPrograms = 2000;
+constexpr std::uint64_t kSmoothedPrograms = 2000;
 #endif
 
 // Two of three by the default profile.
-ProfileKind kind_of(std::uint64_t seed) {
+ProfileKind profile_of(std::uint64_t seed) {
   return seed % 3 == 0 ? static_cast<ProfileKind>(seed / 3 % 7) : ProfileKind::time_optimal;
 }
 
 class RandomSmoothingPrograms : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(RandomSmoothingPrograms, KeepEveryLimitAndEndWhereTheySay) {
-  for (std::uint64_t seed = GetParam(); seed < kPrograms; seed += kShards) {
-    const Way way{.kind = kind_of(seed)};
+  for (std::uint64_t seed = GetParam(); seed < kSmoothedPrograms; seed += kSmoothedShards) {
+    const Way way{.kind = profile_of(seed)};
     SCOPED_TRACE("seed " + std::to_string(seed) + ", profile " +
                  std::string(profiles::name_of(way.kind)));
     const RandomProgram program = smoothing_program(seed);
@@ -43,10 +43,12 @@ TEST_P(RandomSmoothingPrograms, KeepEveryLimitAndEndWhereTheySay) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothingPrograms, testing::Range<std::uint64_t>(0, kShards));
+INSTANTIATE_TEST_SUITE_P(Shard, RandomSmoothingPrograms,
+                         testing::Range<std::uint64_t>(0, kSmoothedShards));
 
-std::vector<interp::Setpoint> ticks_of(const RandomProgram& program,
-                                       const MachineSettings& settings, std::size_t piece) {
+std::vector<interp::Setpoint> smoothed_ticks_of(const RandomProgram& program,
+                                                const MachineSettings& settings,
+                                                std::size_t piece) {
   Kernel kernel(settings, {.profile = profiles::Profile(ProfileKind::time_optimal)});
   std::vector<interp::Setpoint> ticks;
   std::size_t fed = 0;
@@ -68,9 +70,9 @@ TEST(SmoothingPrograms, RunTheSameASecondTimeAndHoweverTheTextIsCut) {
   for (const std::uint64_t seed : {3U, 8U, 21U}) {
     const RandomProgram program = smoothing_program(seed);
     const MachineSettings settings = random_machine(seed, Spread::common);
-    const auto once = ticks_of(program, settings, 4096);
+    const auto once = smoothed_ticks_of(program, settings, 4096);
     for (const std::size_t piece : {std::size_t{4096}, std::size_t{17}}) {
-      const auto again = ticks_of(program, settings, piece);
+      const auto again = smoothed_ticks_of(program, settings, piece);
       ASSERT_EQ(once.size(), again.size()) << seed;
       for (std::size_t i = 0; i < once.size(); ++i) {
         ASSERT_EQ(once[i].position_mm, again[i].position_mm) << seed << ", tick " << i;

@@ -11,16 +11,16 @@
 namespace kerf::test {
 namespace {
 
-using Command = std::function<void(Kernel&)>;
+using KernelCommand = std::function<void(Kernel&)>;
 
 // Planned once, so that the tool takes the way to rest at the end of that. From 100.006 mm/s it
 // takes v/A + A/J = 50.003 + 40 ms.
-constexpr const char* kProgram = "G21 G90 G61\nG1 X200 F6000.36\nM2\n";
+constexpr const char* kLineProgram = "G21 G90 G61\nG1 X200 F6000.36\nM2\n";
 constexpr std::int64_t kLastInMotion = 270;
 constexpr std::int64_t kMargin = 10;  // ticks from a command to the tick at which its plan begins
 
-WatchedRun run_commanded(const KernelOptions& options, const Command& command) {
-  return run_ticks({.text = kProgram, .options = options},
+WatchedRun run_commanded(const KernelOptions& options, const KernelCommand& command) {
+  return run_ticks({.text = kLineProgram, .options = options},
                    [&](Kernel& kernel, const WatchedRun& run, Setpoint& setpoint) {
                      const std::int64_t command_at = kLastInMotion - kMargin;
                      if (run.next() == command_at) {
@@ -37,7 +37,7 @@ WatchedRun run_commanded(const KernelOptions& options, const Command& command) {
 }
 
 TEST(RestBehindATick, IsRunToItsEndBeforeAnotherPlanBegins) {
-  const Command commands[] = {
+  const KernelCommand commands[] = {
       [](Kernel& kernel) { kernel.set_overrides({.feed = 0.9}); },
       [](Kernel& kernel) { kernel.set_single_block(true); },
       [](Kernel& kernel) { kernel.hold(); },

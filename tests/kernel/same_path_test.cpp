@@ -15,19 +15,19 @@
 namespace kerf::test {
 namespace {
 
-struct Stretch {
+struct StretchOfLine {
   std::uint64_t curve = 0;
   double begin_mm = 0.0;
   double end_mm = 0.0;
   std::array<curves::Position, 5> places_mm{};
 
-  friend bool operator==(const Stretch&, const Stretch&) = default;
+  friend bool operator==(const StretchOfLine&, const StretchOfLine&) = default;
 };
 
-Stretch stretch_of(const interp::CurvePiece& piece) {
-  Stretch stretch{.curve = piece.curve,
-                  .begin_mm = curves::s_begin_mm(piece.geometry),
-                  .end_mm = curves::s_end_mm(piece.geometry)};
+StretchOfLine stretch_of(const interp::CurvePiece& piece) {
+  StretchOfLine stretch{.curve = piece.curve,
+                        .begin_mm = curves::s_begin_mm(piece.geometry),
+                        .end_mm = curves::s_end_mm(piece.geometry)};
   for (std::size_t i = 0; i < stretch.places_mm.size(); ++i) {
     const double share = static_cast<double>(i) / 4.0;
     stretch.places_mm[i] = curves::position_at(
@@ -37,7 +37,7 @@ Stretch stretch_of(const interp::CurvePiece& piece) {
 }
 
 struct Path {
-  std::vector<Stretch> stretches;
+  std::vector<StretchOfLine> stretches;
   std::map<std::uint64_t, double> begins_mm;  // path length, by curve
   std::uint32_t plans = 0;
 
@@ -57,8 +57,8 @@ struct Path {
 };
 
 // command: before what is emitted has come to that tick; gets the tick.
-using Command = std::function<void(Pipeline&, lookahead::Outbox&, std::int64_t)>;
-Path path_under(ProfileKind kind, std::int64_t every_ticks, const Command& command) {
+using PipelineCommand = std::function<void(Pipeline&, lookahead::Outbox&, std::int64_t)>;
+Path path_under(ProfileKind kind, std::int64_t every_ticks, const PipelineCommand& command) {
   const KernelOptions options{.profile = {.kind = kind}};
   const MachineSettings settings = mill();
   Pipeline pipeline({.settings = settings, .options = options, .may_hold = true});
@@ -100,7 +100,7 @@ TEST(Path, IsTheSameToTheLastBitWithHoldsAndOverridesAndWithout) {
     const Path alone = path_under(kind, 1, {});
     ASSERT_GT(alone.stretches.size(), 10U);
     for (const std::int64_t every : {43, 130, 401}) {
-      for (const Command& command : {Command(hold), Command(slow_down)}) {
+      for (const PipelineCommand& command : {PipelineCommand(hold), PipelineCommand(slow_down)}) {
         SCOPED_TRACE(std::string(name_of(kind)) + ", every " + std::to_string(every));
         const Path under = path_under(kind, every, command);
         EXPECT_GT(under.plans, 3U);

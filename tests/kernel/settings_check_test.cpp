@@ -23,7 +23,6 @@
 namespace kerf::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 MachineSettings machine_with_everything() {
@@ -119,7 +118,7 @@ TEST(SettingsCheck, Row52RefusesAnImpossibleValueOfEveryFieldOfTheMachine) {
     } else {
       values.push_back(1.001 * rule->min * rule->factor - 1e-3);
     }
-    for (const double infinite : {kInfinity, -kInfinity}) {
+    for (const double infinite : {kUnbounded, -kUnbounded}) {
       if (infinite != rule->open) {
         values.push_back(infinite);
       }
@@ -178,12 +177,12 @@ TEST(SettingsCheck, WantsEachQuantityBounded) {
       {"max_jerk_mm_s3", &MotionLimits::jerk_mm_s3}};
   for (const auto& [key, quantity] : quantities) {
     MachineSettings settings = default_machine();
-    settings.limits.path.*quantity = kInfinity;
+    settings.limits.path.*quantity = kUnbounded;
     EXPECT_TRUE(validate(settings));
-    settings.limits.axes[2].*quantity = kInfinity;
+    settings.limits.axes[2].*quantity = kUnbounded;
     expect_refused(settings, {}, "path." + key, errors::kMachineWithoutLimit);
     settings = machine_with_everything();
-    settings.limits.extra[5].*quantity = kInfinity;
+    settings.limits.extra[5].*quantity = kUnbounded;
     expect_refused(settings, {}, "axes.w." + key, errors::kMachineWithoutLimit);
   }
 }
@@ -218,13 +217,13 @@ TEST(SettingsCheck, RefusesWhatTheMachineFileRefusesOrCannotSay) {
     expect(std::string("axes.") + "xyz"[axis] + ".home_search_mm_s",
            [=](MachineSettings& settings) { settings.manual.homing[axis].search_mm_s = 0.0; });
   }
-  for (const double found : {-1.0, kInfinity, kNan}) {
+  for (const double found : {-1.0, kUnbounded, kNan}) {
     expect("simulation.spindle_rad_s2",
            [=](MachineSettings& settings) { settings.simulation.spindle_rad_s2 = found; });
     expect("table.period_s", [=](MachineSettings& settings) { settings.table.period_s = found; });
   }
   expect("simulation.analog",
-         [](MachineSettings& settings) { settings.simulation.analog[3] = kInfinity; });
+         [](MachineSettings& settings) { settings.simulation.analog[3] = kUnbounded; });
   expect("probe", [](MachineSettings& settings) {
     settings.simulation.surface.emplace().shape = TouchSurface::Shape::sphere;
     settings.simulation.surface->sphere.radius_mm = 0.0;
@@ -239,14 +238,14 @@ TEST(SettingsCheck, RefusesImpossibleOptions) {
     ASSERT_FALSE(validate(options)) << field;
     expect_refused(default_machine(), options, field);
   };
-  for (const double horizon_s : {-1.0, 0.0, 1e-9, 1e300, kInfinity, -kInfinity, kNan}) {
+  for (const double horizon_s : {-1.0, 0.0, 1e-9, 1e300, kUnbounded, -kUnbounded, kNan}) {
     expect("horizon_s", [=](KernelOptions& options) { options.horizon_s = horizon_s; });
   }
   for (const std::size_t blocks :
        {std::size_t{0}, std::size_t{1}, std::size_t{1'000'001}, ~std::size_t{0}}) {
     expect("window_blocks", [=](KernelOptions& options) { options.window_blocks = blocks; });
   }
-  for (const double nominal_s : {-1.0, kInfinity, kNan}) {
+  for (const double nominal_s : {-1.0, kUnbounded, kNan}) {
     expect("nominal.motion_s",
            [=](KernelOptions& options) { options.nominal = NominalTime{.motion_s = nominal_s}; });
     expect("nominal.rest_s",
@@ -257,12 +256,12 @@ TEST(SettingsCheck, RefusesImpossibleOptions) {
   expect("profile.kind",
          [](KernelOptions& options) { options.profile.kind = static_cast<ProfileKind>(99); });
   expect("dialect", [](KernelOptions& options) { options.dialect = static_cast<Dialect>(9); });
-  for (const double shape : {0.0, -1.0, 5.2, kInfinity, kNan}) {
+  for (const double shape : {0.0, -1.0, 5.2, kUnbounded, kNan}) {
     expect("profile.sigmoid_shape", [=](KernelOptions& options) {
       options.profile = profiles::Profile(profiles::ProfileKind::sigmoid, shape);
     });
   }
-  for (const double coordinate : {1.1e6, -1.1e6, kInfinity, -kInfinity, kNan}) {
+  for (const double coordinate : {1.1e6, -1.1e6, kUnbounded, -kUnbounded, kNan}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       expect("start_mm", [=](KernelOptions& options) { options.start_mm[axis] = coordinate; });
     }

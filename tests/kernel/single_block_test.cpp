@@ -56,7 +56,7 @@ std::vector<std::uint32_t> lines_of(const std::vector<Setpoint>& ticks) {
   return lines;
 }
 
-constexpr const char* kSquare =
+constexpr const char* kSquareProgram =
     "G21 G90 G61 F3000\nG1 X20\nY20\nG4 P0.1\nG3 X0 Y20 I-10\nM3 S100\nG1 Y0\nM2\n";
 
 // Which G64 would make one curve of.
@@ -78,8 +78,8 @@ TEST(SingleBlock, WaitsAtTheEndOfEachOfManyShortLines) {
 TEST(SingleBlock, WaitsAtTheEndOfEachBlockOfTheProgram) {
   for (const ProfileKind kind : {ProfileKind::s_curve, ProfileKind::time_optimal}) {
     const KernelOptions options{.profile = {.kind = kind}};
-    const SteppedRun run = run_stepped(kSquare, options, {});
-    expect_whole(run.run, ticks_of(kSquare, options));
+    const SteppedRun run = run_stepped(kSquareProgram, options, {});
+    expect_whole(run.run, ticks_of(kSquareProgram, options));
     EXPECT_EQ(lines_of(run.waits), (std::vector<std::uint32_t>{2, 3, 4, 5, 6, 7}));
     const std::vector<Position> junctions{{20.0, 0.0, 0.0}, {20.0, 20.0, 0.0}, {20.0, 20.0, 0.0},
                                           {0.0, 20.0, 0.0}, {0.0, 20.0, 0.0},  {0.0, 0.0, 0.0}};

@@ -70,7 +70,7 @@ NurbsData wave(int degree, int count) {
   return curve(degree, std::move(points));
 }
 
-NurbsData zigzag(int degree) {
+NurbsData zigzag_curve(int degree) {
   std::vector<ControlPoint> points;
   for (int i = 0; i < 12; ++i) {
     points.push_back({{i % 2 == 1 ? 10.0 : 0.0, 1e-3 * i, 0.0}});
@@ -139,8 +139,8 @@ const std::vector<SingularCurve>& singular_curves() {
       {"degree_1", wave(1, 12)},
       {"degree_2", wave(2, 24)},
       {"degree_9", wave(9, 24)},
-      {"zigzag", zigzag(3)},
-      {"zigzag_degree_4", zigzag(4)},
+      {"zigzag", zigzag_curve(3)},
+      {"zigzag_degree_4", zigzag_curve(4)},
       {"thousand_points", thousand_points()}};
   return all;
 }

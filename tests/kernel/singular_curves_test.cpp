@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <kerf/kernel.hpp>
 
+#include "tests/kernel/environment.hpp"
 #include "tests/kernel/judged_run.hpp"
 #include "tests/kernel/shipped_text.hpp"
 #include "tests/kernel/tick_checker.hpp"
@@ -18,7 +19,7 @@ namespace {
 
 using interp::TickStatus;
 
-struct Outcome {
+struct CurveOutcome {
   std::string complaint;
   interp::Setpoint last{};
   std::int64_t ticks = 0;
@@ -30,7 +31,8 @@ struct Feed {
   std::int64_t max_ticks = 0;  // more are a hang
 };
 
-Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, const Feed& feed) {
+CurveOutcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits,
+                 const Feed& feed) {
   MachineSettings settings;
   settings.limits = limits;
   Kernel kernel(settings, {.profile = profiles::Profile(profiles::ProfileKind::time_optimal),
@@ -38,7 +40,7 @@ Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, 
   kernel.feed(program_of(data, feed.feedrate_mm_s));
   kernel.finish();
   TickChecker checker(limits, true);
-  Outcome outcome;
+  CurveOutcome outcome;
   double chord_mm = 0.0;
   TickStatus status = TickStatus::running;
   while (status == TickStatus::running && checker.ticks() < feed.max_ticks) {
@@ -61,7 +63,7 @@ Outcome run(const curves::NurbsData& data, const lookahead::PlanLimits& limits, 
 }
 
 // As precisely as the program's text says it.
-void expect_at_end(const Outcome& outcome, const curves::NurbsData& data) {
+void expect_at_end(const CurveOutcome& outcome, const curves::NurbsData& data) {
   const auto end = curves::vec(data.points.back().position_mm);
   EXPECT_LT((curves::vec(outcome.last.position_mm) - end).norm(), 1e-9);
 }
@@ -85,7 +87,7 @@ TEST_P(Singular, CurvesAreRunAtTheOptimumWithoutALimitBroken) {
                                                on_axes({200.0, 2000.0, 30e3}, 1e-3)};
   for (const lookahead::PlanLimits& limits : all) {
     SCOPED_TRACE(limits.axes[0].acceleration_mm_s2);
-    const Outcome outcome =
+    const CurveOutcome outcome =
         run(data, limits, {.feedrate_mm_s = limits.path.velocity_mm_s, .max_ticks = 60'000});
     EXPECT_EQ(outcome.complaint, "");
     expect_at_end(outcome, data);
@@ -264,11 +266,6 @@ TEST(SingularCurves, ThoseOnALineToTheirLastDigitRunAsLines) {
   }
 }
 
-std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
-  const char* text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 // Limits of each axis spread over four decades, feedrates over eight.
 TEST(SingularCurves, AtRandomAreRunWithoutALimitBroken) {
   const std::uint64_t count = from_environment("KERF_SINGULAR_CURVES", 60);
@@ -276,7 +273,7 @@ TEST(SingularCurves, AtRandomAreRunWithoutALimitBroken) {
   for (std::uint64_t seed = first; seed < first + count && !HasFailure(); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const SingularCase made = random_singular_case(seed);
-    const Outcome outcome =
+    const CurveOutcome outcome =
         run(made.data, made.limits, {.feedrate_mm_s = made.feedrate_mm_s, .max_ticks = 2'000'000});
     EXPECT_EQ(outcome.complaint, "");
     expect_at_end(outcome, made.data);

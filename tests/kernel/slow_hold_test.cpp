@@ -14,7 +14,7 @@
 namespace kerf::test {
 namespace {
 
-constexpr int kHeldTicks = 20;
+constexpr int kHeldLongTicks = 20;
 constexpr int kSlowLooks = 8;
 #ifdef KERF_SLOW_BUILD
 constexpr std::int64_t kBetween = 1170;
@@ -65,7 +65,7 @@ SlowHold held_at(const std::string& text, std::int64_t tick, int ticks_of_look) 
     }
     looks = 0;
     kernel.plan();
-    if (held >= kHeldTicks) {
+    if (held >= kHeldLongTicks) {
       asked = nullptr;
       kernel.resume();
     }

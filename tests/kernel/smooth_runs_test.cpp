@@ -16,7 +16,7 @@ constexpr std::size_t kEvery = 343;
 #else
 constexpr std::size_t kEvery = 49;
 #endif
-constexpr std::size_t kParts = 4;  // that may run side by side
+constexpr std::size_t kPartsOfKind = 4;  // that may run side by side
 
 using KindAndPart = std::tuple<SmoothKind, std::size_t>;
 
@@ -24,7 +24,7 @@ class SmoothRuns : public testing::TestWithParam<KindAndPart> {};
 
 TEST_P(SmoothRuns, ComeToRestAtTheirEndAlone) {
   const auto [kind, part] = GetParam();
-  for (std::size_t i = part * kEvery; i < count_of(kind); i += kParts * kEvery) {
+  for (std::size_t i = part * kEvery; i < count_of(kind); i += kPartsOfKind * kEvery) {
     const SmoothRun run = smooth_run(kind, i);
     const SmoothPlan plan = plan_of(run);
     EXPECT_EQ(plan.complaint, "") << run.name;
@@ -65,7 +65,7 @@ std::string test_name(const testing::TestParamInfo<KindAndPart>& kind_and_part) 
 
 INSTANTIATE_TEST_SUITE_P(, SmoothRuns,
                          testing::Combine(testing::ValuesIn(kSmoothKinds),
-                                          testing::Range(std::size_t{0}, kParts)),
+                                          testing::Range(std::size_t{0}, kPartsOfKind)),
                          test_name);
 
 }  // namespace

@@ -31,9 +31,9 @@ std::string mode_words(const parser::Move& move) {
   return "G64" + word('P', move.blend_tolerance_mm) + word('Q', move.merge_tolerance_mm);
 }
 
-class Writer {
+class SmoothingWriter {
  public:
-  explicit Writer(const std::string& codes) { add_line(codes, 0.0); }
+  explicit SmoothingWriter(const std::string& codes) { add_line(codes, 0.0); }
 
   void add_line(const std::string& text, double feedrate_mm_s) {
     program_.text += text + "\n";
@@ -77,7 +77,7 @@ RandomMoves smoothing_moves(std::uint64_t seed) {
 }
 
 RandomProgram smoothing_program(std::uint64_t seed) {
-  Writer writer("G21 G90 G17");
+  SmoothingWriter writer("G21 G90 G17");
   for (const parser::Move& move : smoothing_moves(seed).moves) {
     writer.add_move(move, 60.0);
   }
@@ -94,7 +94,7 @@ RandomProgram milling_program(std::uint64_t seed) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
   const bool per_revolution = random() % 4 == 0;
-  Writer writer(per_revolution ? "G21 G90 G17 G95 M3 S1200" : "G21 G90 G17 M3 S1200");
+  SmoothingWriter writer(per_revolution ? "G21 G90 G17 G95 M3 S1200" : "G21 G90 G17 M3 S1200");
   for (const parser::Move& move : smoothing_moves(seed).moves) {
     if (random() % 12 == 0) {
       // Without its spindle a feed a revolution is none.

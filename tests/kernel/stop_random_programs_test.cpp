@@ -24,23 +24,23 @@ struct Trial {
   std::int64_t stop_tick = -1;  // none
 };
 
-struct Outcome {
+struct StopOutcome {
   std::string complaint;
   interp::Setpoint last{};
 };
 
-constexpr std::int64_t kMaxTicks = 100'000;
+constexpr std::int64_t kMostTicks = 100'000;
 
-Outcome run(const RandomProgram& program, const Trial& trial) {
+StopOutcome run(const RandomProgram& program, const Trial& trial) {
   const MachineSettings settings = mill();
   Kernel kernel(settings, {.profile = Profile(trial.kind), .window_blocks = trial.window_blocks});
   kernel.feed(program.text);
   kernel.finish();
   TickChecker checker(settings.limits, trial.kind != ProfileKind::trapezoid);
-  Outcome outcome;
+  StopOutcome outcome;
   std::size_t line_before = 1;
   auto status = interp::TickStatus::running;
-  for (std::int64_t i = 0; status == interp::TickStatus::running && i < kMaxTicks; ++i) {
+  for (std::int64_t i = 0; status == interp::TickStatus::running && i < kMostTicks; ++i) {
     if (i == trial.stop_tick) {
       kernel.stop();
     }

@@ -8,7 +8,7 @@
 namespace kerf {
 namespace {
 
-using Figure = TickExcess::Figure;
+using ExcessFigure = TickExcess::Figure;
 
 constexpr double kTs = 0.001;
 
@@ -35,14 +35,14 @@ TickJudge judge_of(double jerk_mm_s3, std::int64_t ticks, TickJudge::Settings se
 
 TEST(TickJudge, FindsNothingWhileAllHolds) {
   const TickJudge judge = judge_of(0.999e5, 10, {.limits = limits()});
-  EXPECT_EQ(judge.excess().figure, Figure::none);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::none);
   EXPECT_FALSE(describe(judge.excess()));
   EXPECT_NEAR(judge.path().j_mm_s3, 0.999e5, 1e-2);
 }
 
 TEST(TickJudge, FindsAJerkThatIsAPerMilleTooLarge) {
   const TickJudge judge = judge_of(1.001e5, 10, {.limits = limits()});
-  EXPECT_EQ(judge.excess().figure, Figure::jerk);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::jerk);
   EXPECT_EQ(judge.excess().axis, TickExcess::kPath);
   EXPECT_EQ(judge.excess().line, 5U);
   ASSERT_TRUE(describe(judge.excess()));
@@ -51,13 +51,13 @@ TEST(TickJudge, FindsAJerkThatIsAPerMilleTooLarge) {
 
 TEST(TickJudge, KnowsNoJerkWhereTheProfileKnowsNone) {
   const TickJudge judge = judge_of(1.001e5, 10, {.limits = limits(), .binds_jerk = false});
-  EXPECT_EQ(judge.excess().figure, Figure::none);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::none);
 }
 
 TEST(TickJudge, FindsTheFirstAccelerationThatIsTooLarge) {
   // The second difference at tick i is 1e5 (i - 4) Ts: 1000 at tick 14, more at 15.
   const TickJudge judge = judge_of(0.9999e5, 40, {.limits = limits()});
-  EXPECT_EQ(judge.excess().figure, Figure::acceleration);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::acceleration);
   EXPECT_EQ(judge.excess().tick, 15);
 }
 
@@ -66,7 +66,7 @@ TEST(TickJudge, FindsWhatOneAxisDoes) {
   only_x.period_s = kTs;
   only_x.axes[0].velocity_mm_s = 1.0;
   const TickJudge judge = judge_of(1e5, 40, {.limits = only_x});
-  EXPECT_EQ(judge.excess().figure, Figure::velocity);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::velocity);
   EXPECT_EQ(judge.excess().axis, 0);
 }
 
@@ -76,16 +76,16 @@ TEST(TickJudge, FindsANumberThatIsNone) {
   judge.add(setpoint, 0.0);
   setpoint.position_mm[1] = std::nan("");
   judge.add(setpoint, 0.0);
-  EXPECT_EQ(judge.excess().figure, Figure::not_finite);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::not_finite);
   EXPECT_EQ(judge.excess().axis, 1);
 }
 
 TEST(TickJudge, FindsAChordThatLeavesThePathByMoreThanTheTolerance) {
   TickJudge judge({.limits = limits()});
   judge.add({}, 1.004e-3);
-  EXPECT_EQ(judge.excess().figure, Figure::none);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::none);
   judge.add({}, 1.006e-3);
-  EXPECT_EQ(judge.excess().figure, Figure::chord_error);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::chord_error);
 }
 
 TEST(TickJudge, FindsAnEndThatIsNotTheProgrammedOne) {
@@ -93,9 +93,9 @@ TEST(TickJudge, FindsAnEndThatIsNotTheProgrammedOne) {
   interp::Setpoint last;
   last.position_mm = {1.0, 2.0, 3.0};
   judge.judge_end(last, {.position_mm = {1.0, 2.0, 3.0 + 9e-11}});
-  EXPECT_EQ(judge.excess().figure, Figure::none);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::none);
   judge.judge_end(last, {.position_mm = {1.0, 2.0 + 2e-10, 3.0}});
-  EXPECT_EQ(judge.excess().figure, Figure::end);
+  EXPECT_EQ(judge.excess().figure, ExcessFigure::end);
   EXPECT_EQ(judge.excess().axis, 1);
 }
 

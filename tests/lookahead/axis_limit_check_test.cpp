@@ -151,7 +151,7 @@ TEST(AxisLimitCheck, AsksOfARampWhatTheAxisAcrossHasLeft) {
 }
 
 // A curve that leans alike into X and Y and turns into Y around the foot, within about a width.
-struct Bend {
+struct BendCase {
   double peak_per_mm = 0.0;
   double width_mm = 0.0;
 
@@ -182,7 +182,7 @@ struct Taken {
 };
 
 // From 5000 instants of it, close to each other at the foot.
-Taken taken_of(const Transition& ramp, const Bend& bend) {
+Taken taken_of(const Transition& ramp, const BendCase& bend) {
   Taken taken;
   constexpr int kDense = 5000;
   for (int i = 0; i <= kDense; ++i) {
@@ -221,8 +221,8 @@ TEST(AxisLimitCheck, LetsNoRampPassThatTakesAllThatAnAxisHas) {
     const double width_mm = ramp.length_mm() * log_uniform(1e-7, 1e-1);
     // Some of the acceleration at the foot, or at the width if the ramp is faster there.
     const double squared = foot_mm_s * foot_mm_s + limits.acceleration_mm_s2 * width_mm;
-    const Bend bend{.peak_per_mm = limits.acceleration_mm_s2 * log_uniform(0.1, 3.0) / squared,
-                    .width_mm = width_mm};
+    const BendCase bend{.peak_per_mm = limits.acceleration_mm_s2 * log_uniform(0.1, 3.0) / squared,
+                        .width_mm = width_mm};
     const AxisLimitCurve axis_limits = bend.samples(ramp.length_mm());
     const Taken taken = taken_of(ramp, bend);
     const auto holds = [&](const MotionLimits& of_y) {

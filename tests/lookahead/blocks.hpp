@@ -13,6 +13,8 @@ namespace kerf::lookahead::test {
 
 using curves::Position;
 
+inline constexpr double kTs = 0.001;  // s, a tick
+
 struct Ends {
   Position from{};
   Position to{};

@@ -13,20 +13,20 @@ namespace kerf::lookahead::test {
 namespace {
 
 constexpr double kPerMinute = 60.0;
-constexpr double kTs = 0.001;
 
 // [Quintic, section 3]: 12.5 m/s2 on each axis, ticks of 1 ms, no bound on the corner but this.
 PlanLimits quintic_paper() {
   return axis_limits({.acceleration_mm_s2 = 12'500.0});
 }
 
-BlockEnd straight(double angle_rad) {
+BlockEnd straight_end(double angle_rad) {
   return {{.first = {std::cos(angle_rad), std::sin(angle_rad), 0.0}}};
 }
 
 TEST(Junction, OfARightAngleThatBisectsTheAxesIsThePapersCornerD) {
   constexpr double kQuarter = std::numbers::pi / 4.0;
-  const double f = corner_feedrate_mm_s(straight(kQuarter), straight(-kQuarter), quintic_paper());
+  const double f =
+      corner_feedrate_mm_s(straight_end(kQuarter), straight_end(-kQuarter), quintic_paper());
   EXPECT_NEAR(f * kPerMinute, 12.5 / std::sqrt(2.0) * kPerMinute, 1e-9);
   EXPECT_NEAR(f * kPerMinute, 530.33, 0.005);
 }
@@ -47,8 +47,8 @@ TEST(Junction, OfThePolygonIsNoSlowerThanThePaperIs) {
     EXPECT_EQ(std::floor(vector_mm_s * kPerMinute), published);
     const double dx = std::abs(std::cos(out * kDegree) - std::cos(in * kDegree));
     const double dy = std::abs(std::sin(out * kDegree) - std::sin(in * kDegree));
-    const double found =
-        corner_feedrate_mm_s(straight(in * kDegree), straight(out * kDegree), quintic_paper());
+    const double found = corner_feedrate_mm_s(straight_end(in * kDegree),
+                                              straight_end(out * kDegree), quintic_paper());
     EXPECT_NEAR(found, 12.5 / std::max(dx, dy), 1e-9);
     EXPECT_GE(found, vector_mm_s - 1e-9);
   }
@@ -56,7 +56,7 @@ TEST(Junction, OfThePolygonIsNoSlowerThanThePaperIs) {
 
 TEST(Junction, IsBoundByJerkWhereThatIsLess) {
   const PlanLimits limits = axis_limits({.acceleration_mm_s2 = 12'500.0, .jerk_mm_s3 = 55'000.0});
-  const double f = corner_feedrate_mm_s(straight(0.0), straight(0.01), limits);
+  const double f = corner_feedrate_mm_s(straight_end(0.0), straight_end(0.01), limits);
   EXPECT_NEAR(f, 55'000.0 * kTs * kTs / std::sin(0.01), 1e-9);
 }
 
@@ -66,7 +66,7 @@ TEST(Junction, IsBoundByTheChordToleranceWhereThatIsLess) {
   limits.chord_tolerance_mm = 1e-4;
   for (const double turn : {0.01, 0.3, 1.5, 2.8}) {
     SCOPED_TRACE(turn);
-    const double f = corner_feedrate_mm_s(straight(0.4), straight(0.4 + turn), limits);
+    const double f = corner_feedrate_mm_s(straight_end(0.4), straight_end(0.4 + turn), limits);
     EXPECT_NEAR(0.5 * f * kTs * std::sin(0.5 * turn), limits.chord_tolerance_mm, 1e-12);
   }
 }
@@ -74,7 +74,7 @@ TEST(Junction, IsBoundByTheChordToleranceWhereThatIsLess) {
 TEST(Junction, DoesNotAskTheChordToleranceWhereThePathIsSmooth) {
   PlanLimits limits = quintic_paper();
   limits.chord_tolerance_mm = 1e-9;
-  EXPECT_EQ(corner_feedrate_mm_s(straight(0.7), straight(0.7), limits), kUnbounded);
+  EXPECT_EQ(corner_feedrate_mm_s(straight_end(0.7), straight_end(0.7), limits), kUnbounded);
 }
 
 TEST(Junction, TakesTheWeakestAxisThatTurns) {
@@ -82,17 +82,17 @@ TEST(Junction, TakesTheWeakestAxisThatTurns) {
   limits.axes[2].acceleration_mm_s2 = 1.0;  // does not turn
   limits.axes[1].acceleration_mm_s2 = 5000.0;
   constexpr double kQuarter = std::numbers::pi / 4.0;
-  const double f = corner_feedrate_mm_s(straight(kQuarter), straight(-kQuarter), limits);
+  const double f = corner_feedrate_mm_s(straight_end(kQuarter), straight_end(-kQuarter), limits);
   EXPECT_NEAR(f, 5.0 / std::sqrt(2.0), 1e-12);
 }
 
 TEST(Junction, FallsBackToThePathsLimitsWhereAnAxisHasNone) {
   const PlanLimits limits = path_limits({.acceleration_mm_s2 = 2000.0, .jerk_mm_s3 = 40'000.0});
-  const double f = corner_feedrate_mm_s(straight(0.0), straight(0.02), limits);
+  const double f = corner_feedrate_mm_s(straight_end(0.0), straight_end(0.02), limits);
   EXPECT_NEAR(f, 40'000.0 * kTs * kTs / std::sin(0.02), 1e-9);
   PlanLimits partly = limits;
   partly.axes[1].jerk_mm_s3 = 10'000.0;
-  EXPECT_NEAR(corner_feedrate_mm_s(straight(0.0), straight(0.02), partly),
+  EXPECT_NEAR(corner_feedrate_mm_s(straight_end(0.0), straight_end(0.02), partly),
               10'000.0 * kTs * kTs / std::sin(0.02), 1e-9);
 }
 

@@ -10,8 +10,6 @@
 namespace kerf::lookahead::test {
 namespace {
 
-constexpr double kTs = 0.001;
-
 struct Differences {
   double acceleration_mm_s2 = 0.0;
   double jerk_mm_s3 = 0.0;

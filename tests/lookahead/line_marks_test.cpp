@@ -10,7 +10,7 @@
 namespace kerf::lookahead::test {
 namespace {
 
-constexpr ProfileKind kKinds[] = {ProfileKind::time_optimal, ProfileKind::s_curve};
+constexpr ProfileKind kBothKinds[] = {ProfileKind::time_optimal, ProfileKind::s_curve};
 
 // A row of lines, an arc and a curve, of which the first and the last stand for many lines.
 std::vector<Block> marked_blocks() {
@@ -52,7 +52,7 @@ TEST(LineMarks, WithoutMarksABlockIsOfOneLine) {
 }
 
 TEST(LineMarks, APhaseIsOfTheLineWhereItBegins) {
-  for (const ProfileKind kind : kKinds) {
+  for (const ProfileKind kind : kBothKinds) {
     const std::vector<Block> blocks = marked_blocks();
     Planner planner({.limits = mill(), .profile = Profile{kind}});
     for (const interp::Phase& phase : run(planner, blocks).phases) {
@@ -66,7 +66,7 @@ TEST(LineMarks, APhaseIsOfTheLineWhereItBegins) {
 }
 
 TEST(LineMarks, EveryTickIsOfTheLineAtItsPlace) {
-  for (const ProfileKind kind : kKinds) {
+  for (const ProfileKind kind : kBothKinds) {
     const std::vector<Block> blocks = marked_blocks();
     Planner planner({.limits = mill(), .profile = Profile{kind}});
     const Outbox outbox = run(planner, blocks);
@@ -95,7 +95,7 @@ TEST(LineMarks, EveryTickIsOfTheLineAtItsPlace) {
 }
 
 TEST(LineMarks, AStopOnTheWayIsOfTheLineWhereItEnds) {
-  for (const ProfileKind kind : kKinds) {
+  for (const ProfileKind kind : kBothKinds) {
     const std::vector<Block> blocks = marked_blocks();
     Planner planner({.limits = mill(), .profile = Profile{kind}, .may_hold = true});
     for (const Block& block : blocks) {

@@ -228,7 +228,7 @@ TEST(Optimum, TakesABoundedNumberOfNewtonSteps) {
   }
 }
 
-curves::NurbsData bezier(const std::vector<curves::Position>& points) {
+curves::NurbsData bezier_of(const std::vector<curves::Position>& points) {
   curves::NurbsData data{.degree = static_cast<int>(points.size()) - 1, .points = {}, .knots = {}};
   for (const curves::Position& point : points) {
     data.points.push_back({.position_mm = point});
@@ -243,10 +243,10 @@ curves::NurbsData bezier(const std::vector<curves::Position>& points) {
 TEST(Optimum, TakesABoundedNumberOfNewtonStepsOnNearCusps) {
   std::vector<curves::NurbsData> all;
   for (const double crossing : {1e-1, 1e-2, 1e-3}) {
-    all.push_back(bezier({{0, 0, 0}, {10.0 + crossing, 10, 0}, {-crossing, 10, 0}, {10, 0, 0}}));
+    all.push_back(bezier_of({{0, 0, 0}, {10.0 + crossing, 10, 0}, {-crossing, 10, 0}, {10, 0, 0}}));
   }
   for (const double rise : {1e-1, 1e-2, 2e-3}) {
-    all.push_back(bezier({{0, 0, 0}, {10, rise, 0}, {0, 2.0 * rise, 0}}));
+    all.push_back(bezier_of({{0, 0, 0}, {10, rise, 0}, {0, 2.0 * rise, 0}}));
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const MotionLimits& each : {kPaper, kSoft, kFast}) {

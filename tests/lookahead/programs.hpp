@@ -16,8 +16,6 @@ namespace kerf::lookahead::test {
 using profiles::Profile;
 using profiles::ProfileKind;
 
-inline constexpr double kTs = 0.001;
-
 inline auto all_profiles() {
   return testing::Values(ProfileKind::trapezoid, ProfileKind::s_curve, ProfileKind::sine,
                          ProfileKind::quintic, ProfileKind::sine_series, ProfileKind::sigmoid,

@@ -12,7 +12,7 @@ namespace kerf::lookahead::test {
 namespace {
 
 constexpr double kTurn_rad = 0.23;
-constexpr double kTolerance_mm = 2.6e-5;
+constexpr double kFineTolerance_mm = 2.6e-5;
 
 // Curvature is 0 at both ends.
 curves::NurbsData corner(const Position& at, double arm_mm) {
@@ -33,7 +33,7 @@ constexpr MotionLimits kFastJerk{
     .velocity_mm_s = 100.0, .acceleration_mm_s2 = 2900.0, .jerk_mm_s3 = 1e7};
 
 PlanLimits with_tolerance(PlanLimits limits) {
-  limits.chord_tolerance_mm = kTolerance_mm;
+  limits.chord_tolerance_mm = kFineTolerance_mm;
   return limits;
 }
 

@@ -11,7 +11,7 @@
 namespace kerf::lookahead::test {
 namespace {
 
-constexpr double kPeriod_s = 0.001;
+constexpr double kTick_s = 0.001;
 
 Block under(const VelocityLimitCurve& limit_curve) {
   Block block{.curve = curves::Line::between({0, 0, 0}, {limit_curve.back().s_mm, 0, 0}).value()};
@@ -47,7 +47,7 @@ TEST(Split, TakesValleysWithinATicksWayForOne) {
         {.u = 1.0 + i, .s_mm = 5.0 + 5e-10 * i, .v_mm_s = i % 2 == 0 ? 1.0 : 60.0});
   }
   limit_curve.push_back({.u = 3000.0, .s_mm = 10.0, .v_mm_s = 100.0});
-  const std::vector<VelocitySegment> segments = split(under(limit_curve), kPeriod_s);
+  const std::vector<VelocitySegment> segments = split(under(limit_curve), kTick_s);
   EXPECT_LE(segments.size(), 4U);
   EXPECT_NEAR(sum_mm(segments), 10.0, 1e-9);
   for (const VelocitySegment& segment : segments) {
@@ -65,7 +65,7 @@ TEST(Split, DoesNotCutAtAValleyWithinATicksWayOfAnEnd) {
                                      {10.0 - 1e-10, 2e-3},
                                      {10.0 - 1e-11, 1e-3},
                                      {10.0, 2e-3}}));
-  const std::vector<VelocitySegment> segments = split(block, kPeriod_s);
+  const std::vector<VelocitySegment> segments = split(block, kTick_s);
   EXPECT_GT(segments.front().length_mm, 1e-6);
   EXPECT_EQ(segments.front().rise.bottom_mm_s(), 1e-3);
   EXPECT_GT(segments.back().length_mm, 1e-6);
@@ -75,7 +75,7 @@ TEST(Split, DoesNotCutAtAValleyWithinATicksWayOfAnEnd) {
 TEST(Split, KeepsValleysFartherApartThanATick) {
   const Block block =
       under(through({{0.0, 100.0}, {5.0, 50.0}, {5.06, 100.0}, {5.12, 60.0}, {10.0, 100.0}}));
-  const std::vector<VelocitySegment> segments = split(block, kPeriod_s);
+  const std::vector<VelocitySegment> segments = split(block, kTick_s);
   ASSERT_EQ(segments.size(), 3U);
   EXPECT_EQ(segments[0].end.feedrate_mm_s, 50.0);
   EXPECT_EQ(segments[1].end.feedrate_mm_s, 60.0);
@@ -87,7 +87,7 @@ TEST(Split, CutsARampBehindATinyFeature) {
   const profiles::Profile profile{ProfileKind::trapezoid};
   double time_s = 0.0;
   double v = 0.0;
-  for (const VelocitySegment& segment : split(block, kPeriod_s)) {
+  for (const VelocitySegment& segment : split(block, kTick_s)) {
     SegmentEnds ends{.v_begin_mm_s = v, .v_end_mm_s = segment.end.feedrate_mm_s};
     ends.v_end_mm_s = end_feedrate_mm_s(segment, ends, 0.0, profile);
     time_s += plan_segment(segment, ends, profile).duration_s();

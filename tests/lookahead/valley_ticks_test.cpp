@@ -11,7 +11,6 @@
 namespace kerf::lookahead::test {
 namespace {
 
-constexpr double kTs = 0.001;
 constexpr double kTolerance_mm = 1e-4;
 constexpr int kSteps = 400;  // of a tick
 

@@ -13,7 +13,7 @@ using kerf::AxisDrive;
 using kerf::machine::AxisModel;
 using kerf::machine::EncoderFailure;
 
-constexpr double kTick = 0.001;
+constexpr double kTick_s = 0.001;
 
 // No quantisation, no friction, no saturation within reach.
 AxisDrive linear_drive() {
@@ -30,11 +30,11 @@ AxisDrive linear_drive() {
 
 // Runs at speed long enough for every transient to have died, and returns the following error.
 double error_on_ramp(const AxisDrive& drive, double speed_mm_s) {
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   double command_mm = 0.0;
   for (int tick = 1; tick <= 2000; ++tick) {
-    command_mm = speed_mm_s * kTick * tick;
+    command_mm = speed_mm_s * kTick_s * tick;
     axis.follow(command_mm);
   }
   return command_mm - axis.position_mm();
@@ -89,7 +89,7 @@ TEST(AxisModel, SticksUntilTheServoPullsHarderThanDryFriction) {
   AxisDrive drive = linear_drive();
   drive.coulomb_friction_mm_s2 = 300.0;
   const double held_mm = 300.0 / (600.0 * 100.0);
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   for (int tick = 0; tick < 500; ++tick) {
     axis.follow(0.999 * held_mm);
@@ -105,14 +105,14 @@ TEST(AxisModel, SticksUntilTheServoPullsHarderThanDryFriction) {
 TEST(AxisModel, AcceleratesWithTheWholeTorqueAndNoMore) {
   AxisDrive drive = linear_drive();
   drive.drive_acceleration_mm_s2 = 5000.0;
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   for (int tick = 1; tick <= 50; ++tick) {
     axis.follow(1e4);
-    const double t = tick * kTick;
+    const double t = tick * kTick_s;
     if (tick > 1) {  // in the first tick the command is still small
       EXPECT_LE(axis.velocity_mm_s(), 5000.0 * t * (1.0 + 1e-12));
-      EXPECT_GT(axis.velocity_mm_s(), 5000.0 * (t - kTick));
+      EXPECT_GT(axis.velocity_mm_s(), 5000.0 * (t - kTick_s));
     }
   }
   // Under constant torque the way between two instants is (v1^2 - v0^2) / 2a.
@@ -128,13 +128,13 @@ TEST(AxisModel, FullTorqueAgainstViscousFrictionApproachesItsTerminalSpeed) {
   AxisDrive drive = linear_drive();
   drive.drive_acceleration_mm_s2 = 5000.0;
   drive.viscous_friction_per_s = 40.0;
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   axis.follow(1e4);
   const double v0 = axis.velocity_mm_s();
   for (int tick = 1; tick <= 60; ++tick) {
     axis.follow(1e4);
-    const double left = std::exp(-40.0 * tick * kTick);
+    const double left = std::exp(-40.0 * tick * kTick_s);
     // The sub-steps take the mean of the friction at their ends: (b h)^2 / 12 * v b t exp(-b t).
     EXPECT_NEAR(axis.velocity_mm_s(), 125.0 + (v0 - 125.0) * left, 2e-5);
   }
@@ -143,7 +143,7 @@ TEST(AxisModel, FullTorqueAgainstViscousFrictionApproachesItsTerminalSpeed) {
 TEST(AxisModel, NeverRunsFasterThanItsMotor) {
   AxisDrive drive = linear_drive();
   drive.drive_velocity_mm_s = 80.0;
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   double fastest = 0.0;
   for (int tick = 0; tick < 1500; ++tick) {
@@ -161,7 +161,7 @@ TEST(AxisModel, TheIntegralDoesNotWindUpInSaturation) {
   drive.drive_velocity_mm_s = 200.0;
   drive.velocity_integral_per_s2 = 20e3;
   drive.position_gain_per_s = 20.0;  // slow enough to brake with this torque
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   double farthest = 0.0;
   for (int tick = 0; tick < 2000; ++tick) {
@@ -178,7 +178,7 @@ TEST(AxisModel, ReadsItsEncoderInWholeCounts) {
   drive.screw_lead_mm = 5.0;
   drive.counts_per_rev = 4000.0;
   constexpr double kCount = 5.0 / 4000.0;
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(-1.0);
   for (int tick = 1; tick <= 300; ++tick) {
     axis.follow(-1.0 + 0.0371 * tick);
@@ -186,7 +186,7 @@ TEST(AxisModel, ReadsItsEncoderInWholeCounts) {
     EXPECT_NEAR(counts, std::round(counts), 1e-9);
     EXPECT_LE(std::abs(axis.encoder_mm() - axis.position_mm()), kCount / 2.0 + 1e-12);
   }
-  AxisModel fine(linear_drive(), kTick);
+  AxisModel fine(linear_drive(), kTick_s);
   fine.reset(0.123456789);
   EXPECT_EQ(fine.encoder_mm(), 0.123456789);
 }
@@ -194,7 +194,7 @@ TEST(AxisModel, ReadsItsEncoderInWholeCounts) {
 TEST(AxisModel, StopsAlongARampAndStaysThere) {
   AxisDrive drive = linear_drive();
   drive.velocity_gain_per_s = 2000.0;
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   for (int tick = 1; tick <= 300; ++tick) {
     axis.follow(0.1 * tick);
@@ -221,7 +221,7 @@ TEST(AxisModel, DryFrictionBringsItToRestAndNotBack) {
   drive.coulomb_friction_mm_s2 = 1000.0;
   drive.drive_acceleration_mm_s2 = 1e5;
   drive.velocity_gain_per_s = 300.0;
-  AxisModel axis(drive, kTick);
+  AxisModel axis(drive, kTick_s);
   axis.reset(0.0);
   for (int tick = 1; tick <= 300; ++tick) {
     axis.follow(0.05 * tick);
@@ -244,7 +244,7 @@ TEST(AxisModel, StaysStableWithAnyGainOfTheInnerLoop) {
 }
 
 TEST(AxisModel, ABrokenEncoderReadsWhatItShould) {
-  AxisModel axis(linear_drive(), kTick);
+  AxisModel axis(linear_drive(), kTick_s);
   axis.reset(0.0);
   axis.follow(1.0);
   const double before_mm = axis.encoder_mm();

@@ -45,7 +45,7 @@ std::vector<double> ends_of(const std::vector<Move>& moves, char letter) {
   return ends;
 }
 
-using Ends = std::vector<double>;
+using AxisEnds = std::vector<double>;
 constexpr Letters kA = letters('A');
 constexpr Letters kU = letters('U');
 constexpr Letters kAll = kAuxiliaryLetters;
@@ -62,9 +62,9 @@ TEST(ExtraAxes, AreRefusedAsBeforeWhereTheMachineDoesNotNameThem) {
 TEST(ExtraAxes, MoveAbsoluteAndIncremental) {
   const auto moves =
       moves_with(letters('A', 'B', 'C'), "G1 A90 F360\nG1 X10 A180 F100\nG0 A0 B5 C7\nG91 G1 A10");
-  EXPECT_EQ(ends_of(moves, 'A'), (Ends{90, 180, 0, 10}));
-  EXPECT_EQ(ends_of(moves, 'B'), (Ends{0, 0, 5, 5}));
-  EXPECT_EQ(ends_of(moves, 'C'), (Ends{0, 0, 7, 7}));
+  EXPECT_EQ(ends_of(moves, 'A'), (AxisEnds{90, 180, 0, 10}));
+  EXPECT_EQ(ends_of(moves, 'B'), (AxisEnds{0, 0, 5, 5}));
+  EXPECT_EQ(ends_of(moves, 'C'), (AxisEnds{0, 0, 7, 7}));
   EXPECT_EQ(moves[1].auxiliary.begin_rad_mm, moves[0].auxiliary.end_rad_mm);
   EXPECT_EQ(std::get<LineMove>(moves[0].shape).end_mm, moves[0].start_mm);
   EXPECT_TRUE(moves[2].rapid);
@@ -72,7 +72,7 @@ TEST(ExtraAxes, MoveAbsoluteAndIncremental) {
 
 TEST(ExtraAxes, KeepTheirPlaceOnEveryOtherMove) {
   const auto moves = moves_with(kA, "G1 A90 F360\nG1 X10 F100\nG2 X20 I5\nG4 P1\nG0 Z3");
-  EXPECT_EQ(ends_of(moves, 'A'), (Ends{90, 90, 90, 90, 90}));
+  EXPECT_EQ(ends_of(moves, 'A'), (AxisEnds{90, 90, 90, 90, 90}));
   for (std::size_t i = 1; i < moves.size(); ++i) {
     EXPECT_FALSE(moves[i].auxiliary.moves());
   }
@@ -88,22 +88,22 @@ TEST(ExtraAxes, HaveOffsetsAndHomes) {
   const auto moves = moves_with(kA,
                                 "G10 L2 P1 A5\nG1 A90 F360\nG92 A0\nG1 A10\nG92.1\nG53 G1 A1\n"
                                 "G28 A0\nG52 A2\nG0 A1\nG52 A0\nG10 L20 P1 A30\nG0 A0\nG28");
-  EXPECT_EQ(ends_of(moves, 'A'), (Ends{95, 105, 1, 5, 0, 8, -22, 0}));
+  EXPECT_EQ(ends_of(moves, 'A'), (AxisEnds{95, 105, 1, 5, 0, 8, -22, 0}));
 }
 
 TEST(ExtraAxes, TakeStoredOffsetsUpAgain) {
   const auto moves = moves_with(kU,
                                 "G20\nG92 U1\nG0 U2\nG92.2\nG0 U0\nG92.3\nG0 U1\nG28.1\n"
                                 "G0 U5\nG28\nG55 G0 U0");
-  EXPECT_EQ(ends_of(moves, 'U'), (Ends{25.4, 0, 101.6, 0, -25.4}));
+  EXPECT_EQ(ends_of(moves, 'U'), (AxisEnds{25.4, 0, 101.6, 0, -25.4}));
 }
 
 TEST(ExtraAxes, CountInInchesWhereTheyGoStraightAndInDegreesWhereTheyTurn) {
   const auto moves = moves_with(kAll, "G20 G0 U1 A1\nG21 G0 V1 W2 C-370");
-  EXPECT_EQ(ends_of(moves, 'U'), (Ends{25.4, 25.4}));
-  EXPECT_EQ(ends_of(moves, 'A'), (Ends{1, 1}));
-  EXPECT_EQ(ends_of(moves, 'W'), (Ends{0, 2}));
-  EXPECT_EQ(ends_of(moves, 'C'), (Ends{0, -370}));
+  EXPECT_EQ(ends_of(moves, 'U'), (AxisEnds{25.4, 25.4}));
+  EXPECT_EQ(ends_of(moves, 'A'), (AxisEnds{1, 1}));
+  EXPECT_EQ(ends_of(moves, 'W'), (AxisEnds{0, 2}));
+  EXPECT_EQ(ends_of(moves, 'C'), (AxisEnds{0, -370}));
 }
 
 TEST(ExtraAxes, TakeFAlongXyzElseAlongUvwElseInDegrees) {
@@ -133,7 +133,7 @@ TEST(ExtraAxes, TurnPerRevolutionOfTheSpindle) {
 
 TEST(ExtraAxes, GoAlongWithArcsAndHelices) {
   const auto moves = moves_with(kA, "G2 X20 I10 Z5 A45 F300");
-  EXPECT_EQ(ends_of(moves, 'A'), Ends{45});
+  EXPECT_EQ(ends_of(moves, 'A'), AxisEnds{45});
   EXPECT_DOUBLE_EQ(moves.at(0).feedrate_mm_s, 5.0);
 }
 
@@ -185,7 +185,7 @@ TEST(ExtraAxes, AreReadThroughParameters) {
 TEST(ExtraAxes, AreReadInTheFanucDialectToo) {
   const auto moves =
       moves_with(letters('A', 'B'), "G0 A90.\nG54.1 P2\nG10 L20 P2 B5.\nG0 B0", Dialect::fanuc);
-  EXPECT_EQ(ends_of(moves, 'B'), (Ends{0, 5}));
+  EXPECT_EQ(ends_of(moves, 'B'), (AxisEnds{0, 5}));
 }
 
 TEST(ExtraAxes, CountInLeastIncrementsOfADegree) {

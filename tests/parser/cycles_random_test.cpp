@@ -54,7 +54,7 @@ struct Step {
 };
 
 // From the first block of the cycle on: the way there begins elsewhere.
-std::vector<Step> steps_of(const std::string& text) {
+std::vector<Step> cycle_steps_of(const std::string& text) {
   constexpr std::uint32_t kFirstLineOfCycle = 6;
   const Program program = read_program(text);
   EXPECT_FALSE(program.has_errors) << message_line(program.diagnostics.front(), text);
@@ -79,8 +79,8 @@ TEST(CyclesAtRandom, MakeTheSameStepsWhereverTheOriginLies) {
   for (std::uint32_t seed = 1; seed <= 2000; ++seed) {
     const RandomCycle cycle(seed);
     SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + cycle.shifted());
-    const std::vector<Step> wanted = steps_of(cycle.at_the_origin());
-    const std::vector<Step> found = steps_of(cycle.shifted());
+    const std::vector<Step> wanted = cycle_steps_of(cycle.at_the_origin());
+    const std::vector<Step> found = cycle_steps_of(cycle.shifted());
     ASSERT_EQ(found.size(), wanted.size());
     ASSERT_GE(found.size(), 3U);
     for (std::size_t i = 0; i < found.size(); ++i) {

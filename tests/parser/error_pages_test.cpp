@@ -21,7 +21,7 @@ std::vector<const diagnostics::ErrorPage*> pages_of_the_text() {
   return pages;
 }
 
-std::string name_of(const testing::TestParamInfo<const diagnostics::ErrorPage*>& info) {
+std::string page_name_of(const testing::TestParamInfo<const diagnostics::ErrorPage*>& info) {
   return identifier(*info.param);
 }
 
@@ -58,7 +58,8 @@ TEST_P(ErrorPageTrigger, GivesThisVeryPageFirst) {
   EXPECT_TRUE(program.at_end);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ErrorPageTrigger, testing::ValuesIn(pages_of_the_text()), name_of);
+INSTANTIATE_TEST_SUITE_P(All, ErrorPageTrigger, testing::ValuesIn(pages_of_the_text()),
+                         page_name_of);
 
 }  // namespace
 }  // namespace kerf::parser

@@ -18,7 +18,7 @@ ReaderOptions fanuc() {
 std::string path(const std::string& text) {
   return path_of(text, fanuc());
 }
-std::string messages(std::string_view text) {
+std::string fanuc_messages(std::string_view text) {
   return messages_of(text, fanuc());
 }
 
@@ -32,8 +32,8 @@ TEST(FanucFlow, CallsAProgramOfTheSameFile) {
 TEST(FanucFlow, CallsABlockOfItsOwnProgram) {
   EXPECT_EQ(path("O1\nG0 X1\nM97 P15\nG0 X4\nM97 P15 L2\nM30\nN15 G91 G0 X1\nG90\nM99"),
             "1 2 4 5 6");
-  EXPECT_EQ(messages("O1\nM97 P15\nM30\n"), "2:1: error: N15 is not found in this program\n");
-  EXPECT_EQ(messages("O1\nM97\nM30\n"),
+  EXPECT_EQ(fanuc_messages("O1\nM97 P15\nM30\n"), "2:1: error: N15 is not found in this program\n");
+  EXPECT_EQ(fanuc_messages("O1\nM97\nM30\n"),
             "2:1: error: M97 needs P (the number of the block to go to)\n");
 }
 
@@ -48,7 +48,7 @@ TEST(FanucFlow, GoesToANumberedBlock) {
 TEST(FanucFlow, SearchesForwardFirstAndOnlyInItsProgram) {
   EXPECT_EQ(path("N10 #1=#1+1\nIF [#1 GT 1] GOTO 99\nGOTO 10\nN20 G0 X1\nN10 G0 X2\nN99 G0 X3"),
             "2 3");
-  EXPECT_EQ(messages("O1\nGOTO 10\nM30\nO2\nN10 G0 X1\nM99\n"),
+  EXPECT_EQ(fanuc_messages("O1\nGOTO 10\nM30\nO2\nN10 G0 X1\nM99\n"),
             "2:6: error: N10 is not found in this program\n");
   EXPECT_EQ(path("O1\nM98 P2\nM30\nN10 G0 X9\nM30\nO2\nGOTO 10\nG0 X1\nN10 G0 X2\nM99"), "2");
 }
@@ -64,24 +64,24 @@ TEST(FanucFlow, LoopsWhileAConditionHolds) {
 TEST(FanucFlow, RunsTheRestOfALineThatBeginsWithAnIf) {
   EXPECT_EQ(path("IF [1 EQ 1] THEN #1=5\nIF [1 EQ 0] THEN #1=6\nG0 X#1"), "5");
   EXPECT_EQ(path("IF[1EQ1]THENG0X4\nN7 IF [1 EQ 1] THEN GOTO 9\nG0 X5\nN9 G0 X6"), "4 6");
-  EXPECT_EQ(messages("IF [1 EQ 1] THEN G0 X1 R2\nM30\n"),
+  EXPECT_EQ(fanuc_messages("IF [1 EQ 1] THEN G0 X1 R2\nM30\n"),
             "1:24: error: R is not used in this block\n")
       << "columns stay what they are";
 }
 
 TEST(FanucFlow, RefusesFormsOfIfThatItDoesNotHave) {
-  EXPECT_EQ(messages("IF[1EQ1]THEN IF[1EQ1]THEN#2=3\nM30\n"),
+  EXPECT_EQ(fanuc_messages("IF[1EQ1]THEN IF[1EQ1]THEN#2=3\nM30\n"),
             "1:14: error: IF cannot stand after THEN: write GOTO\n");
-  EXPECT_EQ(messages("IF[1EQ1]THEN WHILE[1EQ0]DO1\nM30\n"),
+  EXPECT_EQ(fanuc_messages("IF[1EQ1]THEN WHILE[1EQ0]DO1\nM30\n"),
             "1:14: error: WHILE cannot stand after THEN: write GOTO\n");
-  EXPECT_EQ(messages("IF[1EQ1]THEN (HERE)\n#2=3\nELSE\n#2=4\nENDIF\nM30\n"),
+  EXPECT_EQ(fanuc_messages("IF[1EQ1]THEN (HERE)\n#2=3\nELSE\n#2=4\nENDIF\nM30\n"),
             "1:13: error: THEN needs a statement after it in the same line\n"
             "3:1: error: ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks\n"
             "5:1: error: ELSE and ENDIF are not supported: write IF [..] GOTO around the blocks\n");
 }
 
 TEST(FanucFlow, RaisesAlarmsAndStops) {
-  EXPECT_EQ(messages("IF [#18 EQ #0] THEN #3000=12(R IS MISSING)\nG0 X1 Q\nM30\n"),
+  EXPECT_EQ(fanuc_messages("IF [#18 EQ #0] THEN #3000=12(R IS MISSING)\nG0 X1 Q\nM30\n"),
             "1:21: error: the program raises alarm 3012 (R IS MISSING)\n");
   const Program program = read_program("G0 X1\n#3006=1(LOOK)\nG0 X2\nM30\n", fanuc());
   EXPECT_FALSE(program.has_errors);
@@ -115,7 +115,7 @@ TEST(FanucFlow, CallsMacrosAfterTheMovesOfMacros) {
             "1 200 100 2 100 3");
   EXPECT_EQ(path("O1\nG66 P100\nM98 P5\nG67\nG0 X2\nM30\nO5\nG0 X5\nM99\n" + macros), "5 100 2")
       << "moves of a subprogram call it too";
-  EXPECT_EQ(messages("O1\nG66 P100\nG66 P100\nG66 P100\nG66 P100\nG66 P100\n" + macros + "\n")
+  EXPECT_EQ(fanuc_messages("O1\nG66 P100\nG66 P100\nG66 P100\nG66 P100\nG66 P100\n" + macros + "\n")
                 .substr(0, 71),
             "6:1: error: at most 4 modal calls (G66) may be in force: cancel with G6");
 }
@@ -131,45 +131,47 @@ TEST(FanucFlow, CallsProgramsByName) {
                       return options;
                     }()),
             "5");
-  EXPECT_EQ(messages("M98 <GONE>\nM30\n"), "1:1: error: program <gone> is not found\n");
-  EXPECT_EQ(messages("M98 <A> P1\nM30\nO<A>\nM99\n"),
+  EXPECT_EQ(fanuc_messages("M98 <GONE>\nM30\n"), "1:1: error: program <gone> is not found\n");
+  EXPECT_EQ(fanuc_messages("M98 <A> P1\nM30\nO<A>\nM99\n"),
             "1:9: error: M98: the program is given by its name and by P\n");
-  EXPECT_EQ(messages("G65 <A> P1\nM30\nO<A>\nM99\n"),
+  EXPECT_EQ(fanuc_messages("G65 <A> P1\nM30\nO<A>\nM99\n"),
             "1:9: error: G65: the program is given by its name and by P\n");
-  EXPECT_EQ(messages("G0 <A>\nM30\n").substr(0, 11), "1:4: error:");
+  EXPECT_EQ(fanuc_messages("G0 <A>\nM30\n").substr(0, 11), "1:4: error:");
 }
 
 TEST(FanucFlow, M99GoesOnAtAnotherBlock) {
   EXPECT_EQ(path("O1\nM98 P2\nG0 X1\nN50 G0 X2\nM30\nO2\nG0 X5\nM99 P50"), "5 2");
-  EXPECT_EQ(messages("O1\n\n  M98 P2\nM30\nO2\nG0 X5\nN7 M99 P77\n"),
+  EXPECT_EQ(fanuc_messages("O1\n\n  M98 P2\nM30\nO2\nG0 X5\nN7 M99 P77\n"),
             "7:8: error: N77 is not found in the calling program\n");
-  EXPECT_EQ(messages("O1\nM98 P2\nWHILE [1 EQ 0] DO1\nN5 G0 X1\nEND1\nM30\nO2\nG0 X5\n M99 P5\n"),
-            "9:6: error: N5 stands inside a loop: a jump into it is not allowed\n");
-  EXPECT_EQ(messages("O1\nG0 X1\nM99\n"),
+  EXPECT_EQ(
+      fanuc_messages("O1\nM98 P2\nWHILE [1 EQ 0] DO1\nN5 G0 X1\nEND1\nM30\nO2\nG0 X5\n M99 P5\n"),
+      "9:6: error: N5 stands inside a loop: a jump into it is not allowed\n");
+  EXPECT_EQ(fanuc_messages("O1\nG0 X1\nM99\n"),
             "3:1: warning: M99 in the main program: it would repeat without end and is ended "
             "here\n");
 }
 
 TEST(FanucFlow, SaysWhatIsWrong) {
-  EXPECT_EQ(messages("IF[1EQ1]GOTO999\nM2\n"), "1:13: error: N999 is not found in this program\n");
-  EXPECT_EQ(messages("WHILE[1EQ0]DO1\nM2\n"), "1:6: error: DO1 has no END1\n");
-  EXPECT_EQ(messages("GOTO 10\nWHILE[1EQ0]DO1\nN10 G0 X1\nEND1\nM30\n"),
+  EXPECT_EQ(fanuc_messages("IF[1EQ1]GOTO999\nM2\n"),
+            "1:13: error: N999 is not found in this program\n");
+  EXPECT_EQ(fanuc_messages("WHILE[1EQ0]DO1\nM2\n"), "1:6: error: DO1 has no END1\n");
+  EXPECT_EQ(fanuc_messages("GOTO 10\nWHILE[1EQ0]DO1\nN10 G0 X1\nEND1\nM30\n"),
             "1:6: error: N10 stands inside a loop: a jump into it is not allowed\n");
-  EXPECT_EQ(messages("G65 A1\nM30\n"), "1:1: error: G65 needs P\n");
-  EXPECT_EQ(messages("G65 P1 G1\nM30\n"), "1:8: error: G cannot be a macro argument\n");
-  EXPECT_EQ(messages("O1\nM98 P2\nM30\nO2\nG0 X1\n"),
+  EXPECT_EQ(fanuc_messages("G65 A1\nM30\n"), "1:1: error: G65 needs P\n");
+  EXPECT_EQ(fanuc_messages("G65 P1 G1\nM30\n"), "1:8: error: G cannot be a macro argument\n");
+  EXPECT_EQ(fanuc_messages("O1\nM98 P2\nM30\nO2\nG0 X1\n"),
             "5:1: error: the subprogram has no M99 before the end of the text\n");
-  EXPECT_EQ(messages("O1\nG0 X1\nO2\nG0 X2\nM30\n"),
+  EXPECT_EQ(fanuc_messages("O1\nG0 X1\nO2\nG0 X2\nM30\n"),
             "3:2: warning: the program ends here, it has no M30, M2 or M99\n");
-  EXPECT_EQ(messages("o100 call\nM30\n"),
+  EXPECT_EQ(fanuc_messages("o100 call\nM30\n"),
             "1:1: error: o100 call: o-words belong to RS274/NGC, not to the Fanuc dialect\n");
-  EXPECT_EQ(messages("O1\nM99 P\nM30\n"),
+  EXPECT_EQ(fanuc_messages("O1\nM99 P\nM30\n"),
             "2:5: error: a number is expected after address 'P', found the end of the line\n");
-  EXPECT_EQ(messages("THEN #1=1\nM30\n"), "1:1: error: THEN without IF [..] before it\n");
+  EXPECT_EQ(fanuc_messages("THEN #1=1\nM30\n"), "1:1: error: THEN without IF [..] before it\n");
   EXPECT_EQ(
-      messages("#<abc>=1\nM30\n"),
+      fanuc_messages("#<abc>=1\nM30\n"),
       "1:1: error: variable #<abc>: names belong to RS274/NGC, here variables have numbers\n");
-  EXPECT_EQ(messages("GOTO 1.5\nM30\n"),
+  EXPECT_EQ(fanuc_messages("GOTO 1.5\nM30\n"),
             "1:6: error: GOTO: the sequence number must be a whole number from 1 to 999999999, "
             "found 1.5\n");
 }

@@ -36,7 +36,7 @@ class ProgramFile : public testing::TestWithParam<std::filesystem::path> {};
 using GoodProgram = ProgramFile;
 using BadProgram = ProgramFile;
 
-std::string name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
+std::string golden_name_of(const testing::TestParamInfo<std::filesystem::path>& info) {
   return info.param.stem().string();
 }
 
@@ -56,8 +56,9 @@ TEST_P(BadProgram, GetsTheMessagesWrittenBesideIt) {
   EXPECT_TRUE(program.at_end);
 }
 
-INSTANTIATE_TEST_SUITE_P(Golden, GoodProgram, testing::ValuesIn(programs_in("golden")), name_of);
-INSTANTIATE_TEST_SUITE_P(Bad, BadProgram, testing::ValuesIn(programs_in("bad")), name_of);
+INSTANTIATE_TEST_SUITE_P(Golden, GoodProgram, testing::ValuesIn(programs_in("golden")),
+                         golden_name_of);
+INSTANTIATE_TEST_SUITE_P(Bad, BadProgram, testing::ValuesIn(programs_in("bad")), golden_name_of);
 
 TEST(ProgramFolders, HoldPrograms) {
   EXPECT_GT(programs_in("bad").size(), 150U);

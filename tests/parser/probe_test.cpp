@@ -50,7 +50,7 @@ ReaderOptions with_block() {
   return options;
 }
 
-std::vector<std::string> steps_of(const std::string& text) {
+std::vector<std::string> probe_steps_of(const std::string& text) {
   const Program program = read_program(text + "\nM2\n", with_block());
   std::vector<std::string> steps;
   for (const Move& move : program.moves) {
@@ -63,30 +63,31 @@ std::vector<std::string> steps_of(const std::string& text) {
 }
 
 TEST(Probe, EndsAtRestWhereItTouchesAndKeepsThePlace) {
-  const auto steps = steps_of("F60 G0 X15 Z10\nG38.2 Z-5\nG0 Z[#5063 + 4]\nX#5070");
+  const auto steps = probe_steps_of("F60 G0 X15 Z10\nG38.2 Z-5\nG0 Z[#5063 + 4]\nX#5070");
   EXPECT_EQ(steps, (std::vector<std::string>{
                        "1: rapid to 15 0 10", "2: line to 15 0 2 feed 1 exact stop",
                        "3: rapid to 15 0 6", "4: rapid to 1 0 6", "5: program end 0"}));
 }
 
 TEST(Probe, GivesThePlaceInTheCoordinatesOfTheProgram) {
-  const auto steps = steps_of("F60 G10 L2 P1 X3 Z1\nG0 X12 Z9\nG38.2 Z-5\nG0 Z8\nX#5061 Z#5063");
+  const auto steps =
+      probe_steps_of("F60 G10 L2 P1 X3 Z1\nG0 X12 Z9\nG38.2 Z-5\nG0 Z8\nX#5061 Z#5063");
   EXPECT_EQ(steps.at(1), "3: line to 15 0 2 feed 1 exact stop");
   EXPECT_EQ(steps.at(3), "5: rapid to 15 0 2");
 }
 
 TEST(Probe, TouchesWithTheTipOfTheToolInTheSpindle) {
-  const auto steps = steps_of("F60 T9 M6\nG0 X15 Z50\nG38.2 Z-5");
+  const auto steps = probe_steps_of("F60 T9 M6\nG0 X15 Z50\nG38.2 Z-5");
   EXPECT_EQ(steps.back(), "4: program end 0");
   EXPECT_NE(std::find(steps.begin(), steps.end(), "3: line to 15 0 32 feed 1 exact stop"),
             steps.end());
 }
 
 TEST(Probe, InVainIsAnErrorOrANoughtIn5070) {
-  EXPECT_EQ(steps_of("F60 G38.2 X5").back(), "p:1:5: error: G38.2 met nothing [E0854]");
-  EXPECT_EQ(steps_of("F60 G0 X15\nG38.4 X16").back(),
+  EXPECT_EQ(probe_steps_of("F60 G38.2 X5").back(), "p:1:5: error: G38.2 met nothing [E0854]");
+  EXPECT_EQ(probe_steps_of("F60 G0 X15\nG38.4 X16").back(),
             "p:2:1: error: G38.4 ended in contact [E0854]");
-  const auto steps = steps_of("F60 G38.3 X5\nG0 X#5070");
+  const auto steps = probe_steps_of("F60 G38.3 X5\nG0 X#5070");
   EXPECT_EQ(steps.at(0), "1: line to 5 0 0 feed 1 exact stop");
   EXPECT_EQ(steps.at(1), "2: rapid to 0 0 0");
 }
@@ -99,22 +100,22 @@ TEST(Probe, WithoutASurfaceSaysSo) {
 }
 
 TEST(Probe, AwayFromContactEndsWhereItIsLost) {
-  EXPECT_EQ(steps_of("F60 G0 X15\nG38.4 Z9").at(1), "2: line to 15 0 2 feed 1 exact stop");
-  const auto steps = steps_of("F60 G0 X15 Z10\nG38.2 Z-5\nG38.4 Z9\nG0 X#5070");
+  EXPECT_EQ(probe_steps_of("F60 G0 X15\nG38.4 Z9").at(1), "2: line to 15 0 2 feed 1 exact stop");
+  const auto steps = probe_steps_of("F60 G0 X15 Z10\nG38.2 Z-5\nG38.4 Z9\nG0 X#5070");
   EXPECT_EQ(steps.at(2), "4: rapid to 1 0 2");
 }
 
 TEST(Probe, TowardsContactMustNotBeginThere) {
-  EXPECT_EQ(steps_of("F60 G0 X15\nG38.3 Z-9").back(),
+  EXPECT_EQ(probe_steps_of("F60 G0 X15\nG38.3 Z-9").back(),
             "p:2:1: error: G38.3 begins in contact [E0852]");
 }
 
 // The tool rests for each.
 TEST(Probe, InputsOfTheAssumedMachineAnswerM66) {
-  EXPECT_EQ(steps_of("M66 P4 L0\nG0 X[#5399]").at(1), "2: rapid to 1 0 0");
-  EXPECT_EQ(steps_of("M66 E2\nG0 X[#5399]").at(1), "2: rapid to 1.5 0 0");
-  EXPECT_EQ(steps_of("M66 P4 L3 Q5\nG0 X[#5399]").at(1), "2: rapid to 1 0 0");
-  EXPECT_EQ(steps_of("M66 P4 L4 Q5\nG0 X[#5399]").at(1), "2: rapid to -1 0 0");
+  EXPECT_EQ(probe_steps_of("M66 P4 L0\nG0 X[#5399]").at(1), "2: rapid to 1 0 0");
+  EXPECT_EQ(probe_steps_of("M66 E2\nG0 X[#5399]").at(1), "2: rapid to 1.5 0 0");
+  EXPECT_EQ(probe_steps_of("M66 P4 L3 Q5\nG0 X[#5399]").at(1), "2: rapid to 1 0 0");
+  EXPECT_EQ(probe_steps_of("M66 P4 L4 Q5\nG0 X[#5399]").at(1), "2: rapid to -1 0 0");
 }
 
 // Everything of the block comes out, and nothing after it is read before the answer.
@@ -157,7 +158,7 @@ TEST(Probe, IsShownWithItsLineWhereMoreTextCameBeforeTheAnswer) {
 }
 
 TEST(Probe, IsAModeOfItsOwn) {
-  EXPECT_EQ(steps_of("F60 G38.3 X5\nX15").at(1), "2: line to 10 0 0 feed 1 exact stop");
+  EXPECT_EQ(probe_steps_of("F60 G38.3 X5\nX15").at(1), "2: line to 10 0 0 feed 1 exact stop");
 }
 
 // The places of moves are used again.

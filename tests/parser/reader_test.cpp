@@ -9,7 +9,7 @@
 namespace kerf::parser {
 namespace {
 
-std::string everything(const Program& program) {
+std::string moves_and_messages(const Program& program) {
   std::string text;
   for (const Move& move : program.moves) {
     text += text_of(move) + " from " + text_of(move.start_mm) + " at " +
@@ -32,10 +32,11 @@ TEST(ProgramReader, GivesTheSameHoweverTheTextIsCut) {
         continue;
       }
       const std::string text = read_file(entry.path());
-      const std::string whole = everything(read_program(text));
+      const std::string whole = moves_and_messages(read_program(text));
       const std::size_t piece = 1 + random() % 40;
-      EXPECT_EQ(everything(read_program(text, {}, 1)), whole) << entry.path();
-      EXPECT_EQ(everything(read_program(text, {}, piece)), whole) << entry.path() << ' ' << piece;
+      EXPECT_EQ(moves_and_messages(read_program(text, {}, 1)), whole) << entry.path();
+      EXPECT_EQ(moves_and_messages(read_program(text, {}, piece)), whole)
+          << entry.path() << ' ' << piece;
       ++programs;
     }
   }
@@ -44,15 +45,15 @@ TEST(ProgramReader, GivesTheSameHoweverTheTextIsCut) {
 
 TEST(ProgramReader, ReadsEveryKindOfLineEndAlike) {
   const std::string text = "G21 G90\nG0 X1\n\n(c)\nG1 Y2 F60\nM2\n";
-  const std::string expected = everything(read_program(text));
+  const std::string expected = moves_and_messages(read_program(text));
   for (const char* const line_end : {"\r\n", "\r", "\n\r"}) {
     std::string other;
     for (const char c : text) {
       other += c == '\n' ? line_end : std::string(1, c);
     }
-    EXPECT_EQ(everything(read_program(other)), expected);
+    EXPECT_EQ(moves_and_messages(read_program(other)), expected);
   }
-  EXPECT_EQ(everything(read_program(text.substr(0, text.size() - 1))), expected);
+  EXPECT_EQ(moves_and_messages(read_program(text.substr(0, text.size() - 1))), expected);
 }
 
 TEST(ProgramReader, IgnoresCaseBlanksAndLeadingZeros) {

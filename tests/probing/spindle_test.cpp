@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kRadPerTurn = 6.283185307179586;
 constexpr double kPerMin_s = 1500.0;  // revolutions per minute that the spindle gains in a second
-constexpr std::size_t kPause = 50;    // after an answer
-constexpr std::size_t kBeside = 6;    // where the tool comes and goes
+constexpr std::size_t kPauseAtSpeed = 50;  // after an answer
+constexpr std::size_t kBesideRest = 6;     // where the tool comes and goes
 
 MachineSettings table(bool waits) {
   MachineSettings settings = default_machine();
@@ -35,7 +35,7 @@ std::size_t ticks_at_rest(const MachineSettings& settings, const std::string& wo
 }
 
 void expect_rest(std::size_t ticks, double time_s) {
-  EXPECT_NEAR(static_cast<double>(ticks), 1000.0 * time_s + kPause, kBeside);
+  EXPECT_NEAR(static_cast<double>(ticks), 1000.0 * time_s + kPauseAtSpeed, kBesideRest);
 }
 
 TEST(SpindleWait, LastsUntilTheSpindleIsAtItsSpeed) {
@@ -49,8 +49,8 @@ TEST(SpindleWait, OfANewSpeedLastsForTheDifference) {
 }
 
 TEST(SpindleWait, IsNoneWhereItIsNotAskedFor) {
-  EXPECT_LE(ticks_at_rest(table(false), "M3 S3000"), kBeside);
-  EXPECT_LE(ticks_at_rest(table(true), "M5", "M3 S3000\n"), kBeside);
+  EXPECT_LE(ticks_at_rest(table(false), "M3 S3000"), kBesideRest);
+  EXPECT_LE(ticks_at_rest(table(true), "M5", "M3 S3000\n"), kBesideRest);
 }
 
 TEST(SpindleWait, IsAssumedWhereThereAreNoTicksToAskAt) {
@@ -66,7 +66,7 @@ TEST(SpindleWait, IsAssumedWhereThereAreNoTicksToAskAt) {
   }
   // After each answer what follows is planned in 50 ms, as where the machine is asked.
   EXPECT_NEAR(static_cast<double>(rests), 1000.0 * (3000.0 + 4500.0) / kPerMin_s + 2.0 * 50.0,
-              2.0 * kBeside);
+              2.0 * kBesideRest);
 }
 
 }  // namespace

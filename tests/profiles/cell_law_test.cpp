@@ -15,12 +15,12 @@ namespace kerf::profiles::test {
 namespace {
 
 // A cell whose v^2 stays positive: v^2 at its middle and end are drawn, too.
-struct Specimen {
+struct CellSpecimen {
   CellLaw::Begin begin{};
   double length_mm = 0.0;
 };
 
-Specimen random_cell(Draw& draw) {
+CellSpecimen random_cell(Draw& draw) {
   const double h = draw.log_uniform({1e-6, 10.0});
   const double b0 = std::pow(draw.log_uniform({1e-3, 500.0}), 2.0);
   const double b1 = b0 * draw.log_uniform({0.2, 5.0});

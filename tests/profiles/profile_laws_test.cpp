@@ -1,9 +1,9 @@
 // What every feedrate law owes, whatever its formula.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
+#include <kerf/axes.hpp>
 
 #include "profiles/profile.hpp"
 #include "tests/profiles/laws.hpp"
@@ -11,7 +11,6 @@
 namespace kerf::profiles::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kTrials = 300;
 
 class ProfileLaws : public ::testing::TestWithParam<Law> {
@@ -240,7 +239,7 @@ TEST_P(ProfileLaws, KeepTheirShapeWhenStretched) {
 }
 
 TEST_P(ProfileLaws, NeedNoTimeWhereNoLimitBinds) {
-  const RampLimits none{.acceleration_mm_s2 = kInfinity, .jerk_mm_s3 = kInfinity};
+  const RampLimits none{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
   EXPECT_EQ(profile().duration_s(100.0, none), 0.0);
   const Transition jump = profile().fastest({.v_begin_mm_s = 1.0, .v_end_mm_s = 9.0}, none);
   EXPECT_EQ(jump.duration_s(), 0.0);
@@ -249,8 +248,8 @@ TEST_P(ProfileLaws, NeedNoTimeWhereNoLimitBinds) {
 }
 
 TEST_P(ProfileLaws, ObeyTheOneLimitThatBinds) {
-  const RampLimits no_jerk{.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = kInfinity};
-  const RampLimits no_acceleration{.acceleration_mm_s2 = kInfinity, .jerk_mm_s3 = 5e3};
+  const RampLimits no_jerk{.acceleration_mm_s2 = 500.0, .jerk_mm_s3 = kUnbounded};
+  const RampLimits no_acceleration{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = 5e3};
   for (const RampLimits& limits : {no_jerk, no_acceleration}) {
     const Transition transition =
         profile().fastest({.v_begin_mm_s = 0.0, .v_end_mm_s = 50.0}, limits);

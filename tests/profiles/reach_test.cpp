@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
+#include <kerf/axes.hpp>
 
 #include "profiles/profile.hpp"
 #include "tests/profiles/laws.hpp"
@@ -13,7 +13,6 @@
 namespace kerf::profiles::test {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr RampLimits kPaper{.acceleration_mm_s2 = 3000.0, .jerk_mm_s3 = 55000.0};
 
 class ReachLaws : public ::testing::TestWithParam<Law> {
@@ -65,8 +64,8 @@ TEST_P(ReachLaws, GoNowhereWithoutLength) {
 }
 
 TEST_P(ReachLaws, AreUnboundedWhereNoLimitBinds) {
-  const RampLimits none{.acceleration_mm_s2 = kInfinity, .jerk_mm_s3 = kInfinity};
-  EXPECT_EQ(profile().reach_mm_s({.v_mm_s = 1.0, .length_mm = 1.0}, none), kInfinity);
+  const RampLimits none{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = kUnbounded};
+  EXPECT_EQ(profile().reach_mm_s({.v_mm_s = 1.0, .length_mm = 1.0}, none), kUnbounded);
   EXPECT_EQ(profile().reach_mm_s({.v_mm_s = 1.0, .length_mm = 1.0, .v_cap_mm_s = 50.0}, none),
             50.0);
   const Ramp ends{.v_begin_mm_s = 3.0, .v_end_mm_s = 4.0};
@@ -75,8 +74,8 @@ TEST_P(ReachLaws, AreUnboundedWhereNoLimitBinds) {
 
 TEST_P(ReachLaws, HoldUnderOneLimitAlone) {
   for (const RampLimits& limits :
-       {RampLimits{.acceleration_mm_s2 = 100.0, .jerk_mm_s3 = kInfinity},
-        RampLimits{.acceleration_mm_s2 = kInfinity, .jerk_mm_s3 = 1000.0}}) {
+       {RampLimits{.acceleration_mm_s2 = 100.0, .jerk_mm_s3 = kUnbounded},
+        RampLimits{.acceleration_mm_s2 = kUnbounded, .jerk_mm_s3 = 1000.0}}) {
     if (!GetParam().bounds_jerk && std::isinf(limits.acceleration_mm_s2)) {
       continue;
     }
@@ -84,7 +83,7 @@ TEST_P(ReachLaws, HoldUnderOneLimitAlone) {
     EXPECT_NEAR(profile().length_mm({2.0, reach}, limits), 30.0, 1e-11);
     const Ramp ends{.v_begin_mm_s = 2.0, .v_end_mm_s = 9.0};
     const double peak =
-        profile().peak_mm_s(ends, {.length_mm = 30.0, .v_cap_mm_s = kInfinity}, limits);
+        profile().peak_mm_s(ends, {.length_mm = 30.0, .v_cap_mm_s = kUnbounded}, limits);
     EXPECT_NEAR(both_legs_mm(ends, peak, limits), 30.0, 1e-11);
   }
 }
@@ -101,7 +100,7 @@ TEST_P(ReachLaws, FillTheRoomUnderTheCruise) {
     const double length =
         direct > 0.0 ? direct * (1.0 + draw.log_uniform({1e-9, 1e6})) : draw.length();
     const double peak =
-        profile().peak_mm_s(ends, {.length_mm = length, .v_cap_mm_s = kInfinity}, limits);
+        profile().peak_mm_s(ends, {.length_mm = length, .v_cap_mm_s = kUnbounded}, limits);
     ASSERT_GE(peak, std::max(ends.v_begin_mm_s, ends.v_end_mm_s));
     ASSERT_LE(both_legs_mm(ends, peak, limits), length)
         << "seed " << draw.seed() << " trial " << trial;
@@ -122,7 +121,7 @@ TEST_P(ReachLaws, StayAtTheFasterEndWhereOnlyTheDirectTransitionFits) {
     const double direct = profile().length_mm(ends, limits);
     const double short_by_rounding = direct * (1.0 - 1e-15);
     const double peak = profile().peak_mm_s(
-        ends, {.length_mm = short_by_rounding, .v_cap_mm_s = kInfinity}, limits);
+        ends, {.length_mm = short_by_rounding, .v_cap_mm_s = kUnbounded}, limits);
     ASSERT_EQ(peak, faster) << "seed " << draw.seed() << " trial " << trial;
   }
 }

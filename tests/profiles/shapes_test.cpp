@@ -1,6 +1,7 @@
 // The normalised shapes themselves: ends, symmetry, derivatives, integral, peaks.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <variant>
 #include <vector>
@@ -130,7 +131,7 @@ TEST_P(ShapeLaws, HaveThePeaksTheyClaim) {
 // phi by its series t/T - (1 - r) / (2 pi r) * sum of r^k sin(2 pi k x) / k, and the same
 // integrated term by term: independent of the dilogarithm.
 TEST(SineSeriesShape, AgreesWithItsSeries) {
-  constexpr double kPi = 3.14159265358979323846;
+  using std::numbers::pi;
   for (const double r : {1e-9, 1e-3, 0.123, 0.4, 0.49, 0.51, 0.6, 0.9, 0.99}) {
     const SineSeries shape{r};
     for (int i = 1; i < 100; ++i) {
@@ -139,13 +140,13 @@ TEST(SineSeriesShape, AgreesWithItsSeries) {
       double cosines = 0.0;
       double power = 1.0;  // r^(k - 1)
       for (int k = 1; k < 6000 && power > 1e-20; ++k) {
-        sines += power * std::sin(2.0 * kPi * k * x) / k;
-        cosines += power * (1.0 - std::cos(2.0 * kPi * k * x)) / k / k;
+        sines += power * std::sin(2.0 * pi * k * x) / k;
+        cosines += power * (1.0 - std::cos(2.0 * pi * k * x)) / k / k;
         power *= r;
       }
-      const double weight = (1.0 - r) / (2.0 * kPi);
+      const double weight = (1.0 - r) / (2.0 * pi);
       ASSERT_NEAR(shape.at(x).phi, x - weight * sines, 1e-14) << "r " << r << " x " << x;
-      ASSERT_NEAR(shape.at(x).integral, 0.5 * x * x - weight / (2.0 * kPi) * cosines, 1e-15)
+      ASSERT_NEAR(shape.at(x).integral, 0.5 * x * x - weight / (2.0 * pi) * cosines, 1e-15)
           << "r " << r << " x " << x;
     }
   }

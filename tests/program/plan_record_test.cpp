@@ -7,14 +7,14 @@
 namespace kerf::program {
 namespace {
 
-const std::vector<std::int64_t> kTicks{0,    0,    0,   1,  2, 2, 5, 900, 899, 0, 12'345'678'901,
-                                       -400, -400, 128, 127};
+const std::vector<std::int64_t> kRecordedTicks{
+    0, 0, 0, 1, 2, 2, 5, 900, 899, 0, 12'345'678'901, -400, -400, 128, 127};
 
 PlanRecord sample_record() {
   PlanRecord record;
   record.is_attended = true;
   record.emergency_tick = 77;
-  for (const std::int64_t tick : kTicks) {
+  for (const std::int64_t tick : kRecordedTicks) {
     record.add_look(tick);
   }
   record.add_order("hold");
@@ -26,13 +26,13 @@ PlanRecord sample_record() {
 
 void expect_sample(const PlanRecord& record) {
   PlanRecord::Reader reader(record);
-  for (const std::int64_t tick : kTicks) {
+  for (const std::int64_t tick : kRecordedTicks) {
     EXPECT_FALSE(reader.order());
     EXPECT_FALSE(reader.take_order());
     EXPECT_FALSE(reader.take_look(tick + 1));
     EXPECT_TRUE(reader.take_look(tick)) << tick;
   }
-  EXPECT_FALSE(reader.take_look(kTicks.back()));
+  EXPECT_FALSE(reader.take_look(kRecordedTicks.back()));
   EXPECT_EQ(reader.order(), "hold");
   EXPECT_EQ(reader.take_order(), "hold");
   EXPECT_EQ(reader.take_order(), "");
@@ -96,7 +96,7 @@ TEST(PlanRecord, ThatIsCutOffAnywhereEndsThere) {
     ASSERT_TRUE(cut);
     PlanRecord::Reader reader(*cut);
     std::size_t looks = 0;
-    while (looks < kTicks.size() && reader.take_look(kTicks[looks])) {
+    while (looks < kRecordedTicks.size() && reader.take_look(kRecordedTicks[looks])) {
       ++looks;
     }
     while (reader.take_order()) {

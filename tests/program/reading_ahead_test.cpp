@@ -34,11 +34,11 @@ class BrokenText final : public Text {
   }
 };
 
-class NoMemory final : public Text {
+class TextWithoutMemory final : public Text {
   tl::expected<TextPiece, std::string> read_on() override { throw std::bad_alloc(); }
 };
 
-class WholeText final : public Text {
+class EndOfProgram final : public Text {
   tl::expected<TextPiece, std::string> read_on() override {
     return TextPiece{TextPiece::State::text, "M2\n"};
   }
@@ -46,7 +46,7 @@ class WholeText final : public Text {
 
 TEST(ReadingAhead, FeedsThePlanToItsEnd) {
   Kernel kernel = kernel_that_reads_apart();
-  WholeText text;
+  EndOfProgram text;
   Progress progress;
   ReadingAhead reading(kernel, text, progress);
   EXPECT_FALSE(reading.plan());
@@ -65,7 +65,7 @@ TEST(ReadingAhead, TellsTheFeederWhyTextCannotBeRead) {
 
 TEST(ReadingAhead, ThrowsWhatReadingThrewInTheThreadThatPlans) {
   Kernel kernel = kernel_that_reads_apart();
-  NoMemory text;
+  TextWithoutMemory text;
   Progress progress;
   ReadingAhead reading(kernel, text, progress);
   EXPECT_THROW(reading.plan(), std::bad_alloc);

@@ -10,7 +10,7 @@
 namespace kerf::program {
 namespace {
 
-constexpr PaperBox kSheet{.min = {}, .max = {.u_mm = 100.0, .v_mm = 100.0}};
+constexpr PaperBox kPaper{.min = {}, .max = {.u_mm = 100.0, .v_mm = 100.0}};
 
 // Ticks of 0.05 mm from corner to corner; each line of the program ends at one.
 class Path {
@@ -40,7 +40,7 @@ class Path {
   }
 
  private:
-  SharpPlaces places_{View::top, kSheet};
+  SharpPlaces places_{View::top, kPaper};
   double x_ = 0.0;
   double y_ = 0.0;
   std::uint32_t line_ = 0;

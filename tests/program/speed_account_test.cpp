@@ -15,7 +15,8 @@ struct Stretch {
   double v_mm_s = 10.0;
 };
 
-SpeedReport report_of(const std::vector<Stretch>& stretches, const SpeedQuestion& question = {}) {
+SpeedReport speed_report_of(const std::vector<Stretch>& stretches,
+                            const SpeedQuestion& question = {}) {
   SpeedAccount account(question, 0.001);
   std::int64_t tick = 0;
   for (const Stretch& stretch : stretches) {
@@ -31,10 +32,10 @@ SpeedReport report_of(const std::vector<Stretch>& stretches, const SpeedQuestion
 }
 
 TEST(SpeedAccount, CountsPeriodsAndEndsWithTheLastTick) {
-  const SpeedReport report = report_of({{1, Constraint::path_jerk, 10},
-                                        {1, Constraint::programmed, 30},
-                                        {2, Constraint::programmed, 59},
-                                        {2, Constraint::rest, 2}});
+  const SpeedReport report = speed_report_of({{1, Constraint::path_jerk, 10},
+                                              {1, Constraint::programmed, 30},
+                                              {2, Constraint::programmed, 59},
+                                              {2, Constraint::rest, 2}});
   EXPECT_EQ(report.whole.ticks, 100);
   ASSERT_EQ(report.whole.limits.size(), 3U);
   EXPECT_EQ(report.whole.limits[0].limit, Constraint::programmed);
@@ -53,7 +54,7 @@ TEST(SpeedAccount, AddsUpALineThatRunsManyTimesAndShowsTheLongest) {
       stretches.push_back({line, Constraint::junction, 1});
     }
   }
-  const SpeedReport report = report_of(stretches);
+  const SpeedReport report = speed_report_of(stretches);
   EXPECT_EQ(report.whole.ticks, 100 * (200 * 2 + 4) - 1);
   ASSERT_EQ(report.lines.size(), 5U);
   EXPECT_EQ(report.lines[0].line, 7U);
@@ -63,26 +64,27 @@ TEST(SpeedAccount, AddsUpALineThatRunsManyTimesAndShowsTheLongest) {
 TEST(SpeedAccount, AnswersForOneLineOrOneInstant) {
   const std::vector<Stretch> stretches{{1, Constraint::path_jerk, 10},
                                        {2, Constraint::junction, 10}};
-  const SpeedReport of_line = report_of(stretches, {.line = 1, .time_s = {}});
+  const SpeedReport of_line = speed_report_of(stretches, {.line = 1, .time_s = {}});
   ASSERT_EQ(of_line.lines.size(), 1U);
   EXPECT_EQ(of_line.lines[0].ticks, 10);
-  EXPECT_TRUE(report_of(stretches, {.line = 3, .time_s = {}}).lines.empty());
-  const SpeedReport at = report_of(stretches, {.line = {}, .time_s = 0.0121});
+  EXPECT_TRUE(speed_report_of(stretches, {.line = 3, .time_s = {}}).lines.empty());
+  const SpeedReport at = speed_report_of(stretches, {.line = {}, .time_s = 0.0121});
   ASSERT_TRUE(at.tick.has_value());
   EXPECT_EQ(at.tick->tick, 12);
   EXPECT_EQ(at.tick->line, 2U);
   EXPECT_EQ(at.tick->limit, Constraint::junction);
-  EXPECT_FALSE(report_of(stretches, {.line = {}, .time_s = 1.0}).tick.has_value());
+  EXPECT_FALSE(speed_report_of(stretches, {.line = {}, .time_s = 1.0}).tick.has_value());
 }
 
 TEST(SpeedAccount, CountsHowOftenTheMotionComesToRest) {
   const auto jerk = Constraint::path_jerk;
-  EXPECT_EQ(report_of({{1, jerk, 3}, {1, jerk, 1, 0.0}, {2, jerk, 3}, {2, jerk, 2, 0.0}}).stops, 2);
+  EXPECT_EQ(
+      speed_report_of({{1, jerk, 3}, {1, jerk, 1, 0.0}, {2, jerk, 3}, {2, jerk, 2, 0.0}}).stops, 2);
 }
 
 TEST(SpeedAccount, OfNothingIsEmpty) {
-  EXPECT_EQ(report_of({}).whole.ticks, 0);
-  EXPECT_TRUE(report_of({}).whole.limits.empty());
+  EXPECT_EQ(speed_report_of({}).whole.ticks, 0);
+  EXPECT_TRUE(speed_report_of({}).whole.limits.empty());
 }
 
 TEST(ConstraintText, GivesEachLimitANameOfItsOwn) {

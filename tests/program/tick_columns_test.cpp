@@ -9,7 +9,7 @@
 namespace kerf::program {
 namespace {
 
-TickRecord record_at(std::int64_t tick) {
+TickRecord row_at(std::int64_t tick) {
   const double t = 1e-3 * static_cast<double>(tick);
   return {.tick = tick,
           .limit = tick % 8 < 5 ? Constraint::programmed : Constraint::path_jerk,
@@ -22,7 +22,7 @@ TickRecord record_at(std::int64_t tick) {
 TEST(TickColumns, AreTheTicksThemselvesWhileTheyLast) {
   TickColumns columns({.period_s = 1e-3});
   for (std::int64_t tick = 0; tick < 100; ++tick) {
-    columns.add(record_at(tick));
+    columns.add(row_at(tick));
   }
   ASSERT_EQ(columns.series().size(), 3U + 3U * 3U + 2U);
   EXPECT_EQ(columns.ticks_per_column(), 1);
@@ -41,7 +41,7 @@ TEST(TickColumns, AreTheTicksThemselvesWhileTheyLast) {
 TEST(TickColumns, MergeWithoutLosingAPeak) {
   TickColumns columns({.period_s = 1e-3, .max_columns = 64});
   for (std::int64_t tick = 0; tick < 1000; ++tick) {
-    columns.add(record_at(tick));
+    columns.add(row_at(tick));
   }
   EXPECT_EQ(columns.ticks_per_column(), 16);
   EXPECT_EQ(columns.columns(), 63U);
@@ -62,8 +62,8 @@ TEST(TickColumns, OfAWindowAreThoseOfTheWholeRunThere) {
   TickColumns part({.period_s = 1e-3, .window = {.first = 700, .last = 899}});
   for (std::int64_t tick = 0; tick < 1000; ++tick) {
     EXPECT_EQ(part.has_all(), tick > 899) << tick;
-    all.add(record_at(tick));
-    part.add(record_at(tick));
+    all.add(row_at(tick));
+    part.add(row_at(tick));
   }
   EXPECT_EQ(part.first_tick(), 700);
   EXPECT_EQ(part.ticks_per_column(), 1);

@@ -15,9 +15,9 @@
 namespace kerf::program {
 namespace {
 
-class WholeText final : public TextFeed {
+class GivenText final : public TextFeed {
  public:
-  explicit WholeText(std::string_view text) : text_(text) {}
+  explicit GivenText(std::string_view text) : text_(text) {}
   tl::expected<TextPiece, std::string> read() override {
     const std::string_view piece = std::exchange(text_, {});
     return piece.empty() ? TextPiece{} : TextPiece{TextPiece::State::text, piece};
@@ -65,7 +65,7 @@ struct Made {
 Made ticks_ahead(std::string_view text, const Position& start_mm, std::size_t most) {
   Kernel kernel(default_machine(), options_of(start_mm));
   KernelPlanning side(kernel);
-  WholeText whole(text);
+  GivenText whole(text);
   Progress progress;
   Feeder feeder(side, whole, progress);
   PlanningBeside planning(kernel, feeder);
@@ -120,7 +120,7 @@ TEST(TicksAhead, EndWhereNoMoreAreWanted) {
 TEST(TicksAhead, ThrowWhatPlanningThrew) {
   Kernel kernel(default_machine(), options_of({}));
   NoMemory side(kernel);
-  WholeText text("");
+  GivenText text("");
   Progress progress;
   Feeder feeder(side, text, progress);
   PlanningBeside planning(kernel, feeder);

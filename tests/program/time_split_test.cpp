@@ -7,19 +7,19 @@
 namespace kerf::program {
 namespace {
 
-struct Part {
+struct SplitPart {
   std::int64_t ticks = 0;
   TickKind kind = TickKind::cut;
   std::uint32_t line = 1;
   std::int32_t tool = 0;
 };
 
-TimeSplit split_of(const std::vector<Part>& parts,
+TimeSplit split_of(const std::vector<SplitPart>& parts,
                    ToolChange tool_change = ToolChange::takes_none) {
   TimeAccount account(tool_change);
   std::int64_t tick = 0;
   TickRecord record;
-  for (const Part& part : parts) {
+  for (const SplitPart& part : parts) {
     for (std::int64_t i = 0; i < part.ticks; ++i) {
       record = {.tick = tick++,
                 .line = part.line,
