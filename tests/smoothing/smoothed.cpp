@@ -75,16 +75,30 @@ double farthest_mm(const std::vector<Position>& path, const std::vector<Position
   const double ratio = along_other.back() / along.back();
   const double reach = 2.0 + 0.05 * along_other.back();
   double farthest = 0.0;
+  std::size_t near = 1;  // ends a segment that is near the place before
   for (std::size_t i = 0; i < path.size(); ++i) {
     const double about = along[i] * ratio;
-    const auto first = std::lower_bound(along_other.begin(), along_other.end(), about - reach);
-    double nearest = HUGE_VAL;
-    const auto from = static_cast<std::size_t>(first - along_other.begin());
-    for (std::size_t k = std::max<std::size_t>(from, 1); k < other.size(); ++k) {
-      nearest = std::min(nearest, to_segment_mm(path[i], other[k - 1], other[k]));
-      if (along_other[k] > about + reach) {
-        break;
-      }
+    // The end of the segment that reaches so far.
+    const auto end_at = [&along_other](double s_mm) {
+      const auto end = std::lower_bound(along_other.begin() + 1, along_other.end() - 1, s_mm);
+      return static_cast<std::size_t>(end - along_other.begin());
+    };
+    const auto away_mm = [&](std::size_t k) {
+      return to_segment_mm(path[i], other[k - 1], other[k]);
+    };
+    const std::size_t last = end_at(about + reach);
+    std::size_t k = end_at(about - reach);
+    near = std::clamp(near, k, last);
+    while (near < last && away_mm(near + 1) <= away_mm(near)) {
+      ++near;
+    }
+    double nearest = away_mm(near);
+    // What is no farther than another place was changes nothing.
+    while (k <= last && nearest > farthest) {
+      nearest = std::min(nearest, away_mm(k));
+      // As long a way on from here nothing is nearer than that.
+      const double way = (vec(path[i]) - vec(other[k])).norm() - nearest;
+      k = std::max(k + 1, end_at(along_other[k] + way));
     }
     farthest = std::max(farthest, nearest);
   }
