@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kerf/kernel.hpp>
+
 #include "bench/control_programs.hpp"
 
 namespace kerf::bench {
