@@ -14,6 +14,7 @@ constexpr std::size_t kRampHalvings = 6;  // to one of them
 // A ramp between two points of it is no farther above the limit curve than they differ in feedrate.
 constexpr double kStrict = 5e-5;
 constexpr int kMaxHalvings = 16;
+constexpr double kWithRounding = 1.0 + 1e-12;
 
 }  // namespace
 
@@ -61,24 +62,38 @@ Slope Slope::from(double distance_mm) const {
   return Slope(std::move(rest));
 }
 
-double Slope::allowed_from_mm(double v_mm_s) const {
+Slope::Allowed Slope::allowed(double v_mm_s) const {
   assert(!samples_.empty());
   const auto above =
       std::ranges::lower_bound(samples_.begin(), samples_.end() - 1, v_mm_s, {}, &Sample::v_mm_s);
   if (above == samples_.begin()) {
-    return 0.0;
+    return {};
   }
   const Sample& low = *(above - 1);
   const double rise = above->v_mm_s - low.v_mm_s;
   const double share = rise > 0.0 ? std::min((v_mm_s - low.v_mm_s) / rise, 1.0) : 1.0;
-  return low.distance_mm + share * (above->distance_mm - low.distance_mm);
+  return {.from_mm = low.distance_mm + share * (above->distance_mm - low.distance_mm),
+          .line = static_cast<std::size_t>(above - samples_.begin())};
+}
+
+double Slope::allowed_from_mm(double v_mm_s) const {
+  return allowed(v_mm_s).from_mm;
+}
+
+double Slope::mm_per_mm_s(std::size_t line) const {
+  const Sample& low = samples_[line - 1];
+  const Sample& high = samples_[line];
+  return (high.distance_mm - low.distance_mm) / (high.v_mm_s - low.v_mm_s);
 }
 
 // What a ramp must give way by, from the points of it: each asks by the distance from which its
 // feedrate is allowed, and more the shorter the way to it. So no point between two others asks for
-// more than the upper one would at the place of the lower one; where that is no more than what is
-// given already, nobody looks between them, and elsewhere their distance is halved. The lower half
-// comes first: mostly it is the one that asks for most.
+// more than the upper one would at the place of the lower one. Where both are on one line of the
+// slope, none asks for more than one would that leaves the lower one with the higher acceleration
+// of the two but covers the way at the lower feedrate: that is closer. (The acceleration rises or
+// falls between them, as their jerks say.) Where neither is more than what is given already, nobody
+// looks between them, and elsewhere their distance is halved. The lower half comes first: mostly it
+// is the one that asks for most.
 template <typename Ask>
 class Slope::Search {
  public:
@@ -111,7 +126,9 @@ class Slope::Search {
     double t_s = 0.0;
     double s_mm = 0.0;
     double v_mm_s = 0.0;
-    double allowed_from_mm = 0.0;
+    double a_mm_s2 = 0.0;
+    double j_mm_s3 = 0.0;
+    Allowed allowed{};
   };
 
   [[nodiscard]] Point point_at(double t_s) const {
@@ -119,12 +136,14 @@ class Slope::Search {
     return {.t_s = t_s,
             .s_mm = motion.s_mm,
             .v_mm_s = motion.v_mm_s,
-            .allowed_from_mm = slope_.allowed_from_mm(motion.v_mm_s)};
+            .a_mm_s2 = motion.a_mm_s2,
+            .j_mm_s3 = motion.j_mm_s3,
+            .allowed = slope_.allowed(motion.v_mm_s)};
   }
 
   void hear(const Point& point) {
-    if (point.allowed_from_mm > 0.0) {
-      max_ = std::max(max_, ask_(point.allowed_from_mm, point.s_mm));
+    if (point.allowed.from_mm > 0.0) {
+      max_ = std::max(max_, ask_(point.allowed.from_mm, point.s_mm));
     }
   }
 
@@ -137,7 +156,21 @@ class Slope::Search {
 
   // Whether any place between the points may.
   [[nodiscard]] bool asks_for_more(const Point& low, const Point& high) const {
-    return high.allowed_from_mm > 0.0 && ask_(high.allowed_from_mm, low.s_mm) > max_;
+    return high.allowed.from_mm > 0.0 && ask_(high.allowed.from_mm, low.s_mm) > max_ &&
+           closest(low, high) > max_;
+  }
+
+  // What is asked for between them at most, where they are on one line.
+  [[nodiscard]] double closest(const Point& low, const Point& high) const {
+    const double step_s = high.t_s - low.t_s;
+    const double way_mm = low.s_mm + low.v_mm_s * step_s;
+    if (low.allowed.line != high.allowed.line || low.j_mm_s3 * high.j_mm_s3 < 0.0 ||
+        !(way_mm > 0.0) || (low.s_mm == 0.0 && low.allowed.from_mm > 0.0)) {
+      return kHighest;
+    }
+    const double gain_mm_s = std::max(low.a_mm_s2, high.a_mm_s2) * step_s;
+    const double from_mm = low.allowed.from_mm + slope_.mm_per_mm_s(low.allowed.line) * gain_mm_s;
+    return ask_(kWithRounding * from_mm, way_mm);
   }
 
   // Of the ramp, from the begin of one to the end of another.

@@ -2,6 +2,7 @@
 // highest place (the top).
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <vector>
 
@@ -49,6 +50,15 @@ class Slope {
  private:
   template <typename Ask>
   class Search;
+  // Where a feedrate is allowed from, on the straight line that ends with the sample of that
+  // number.
+  struct Allowed {
+    double from_mm = 0.0;
+    std::size_t line = 0;  // 0: from the foot on
+  };
+  [[nodiscard]] Allowed allowed(double v_mm_s) const;
+  // Of a line that rises: how much later a higher feedrate is allowed.
+  [[nodiscard]] double mm_per_mm_s(std::size_t line) const;
   static constexpr double kHighest = std::numeric_limits<double>::infinity();
   std::vector<Sample> samples_;
 };

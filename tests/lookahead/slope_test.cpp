@@ -3,6 +3,9 @@
 #include "lookahead/classical/slope.hpp"
 
 #include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +122,55 @@ TEST(Slope, DelaysARampForAStepWhereverItLies) {
     ASSERT_LE(highest, low * (1.0 + 1e-4)) << low;
     ASSERT_GE(highest, low * (1.0 - 1e-3)) << low;
   }
+}
+
+// Of many lines, steep ones and flat ones, with a foot at which the ramp begins or above it.
+Slope random_slope(std::mt19937_64& random, const profiles::Ramp& ramp, double length_mm) {
+  const auto drawn = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  std::vector<Slope::Sample> samples;
+  const double top_mm = length_mm * drawn(0.3, 3.0);
+  double v_mm_s = ramp.v_begin_mm_s * drawn(1.0, 1.2) + drawn(0.0, 1.0);
+  for (int i = 0; i <= 24; ++i) {
+    samples.push_back({.distance_mm = top_mm * i / 24.0, .v_mm_s = v_mm_s});
+    v_mm_s += (i % 5 == 3 ? 0.0 : drawn(0.0, 0.1)) * (ramp.v_end_mm_s - ramp.v_begin_mm_s);
+  }
+  samples.back().v_mm_s = std::max(v_mm_s, ramp.v_end_mm_s);
+  return Slope(samples);
+}
+
+// Whether the ramp is above the slope at any of 20,000 points by more than a share of its feedrate.
+bool is_above(const Slope& slope, const Transition& ramp, double share) {
+  for (int i = 1; i <= 20'000; ++i) {
+    const auto point = ramp.at(ramp.duration_s() * i / 20'000.0);
+    if (slope.allowed_from_mm(point.v_mm_s * (1.0 - share)) > point.s_mm * (1.0 + 1e-9)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(Slope, OfAnyShapeStretchesARampByWhatItNeedsAndNoMore) {
+  std::mt19937_64 random(20261130);
+  int stretched = 0;
+  for (int round = 0; round < 400; ++round) {
+    const int kind = 1 + round % static_cast<int>(ProfileKind::sigmoid);
+    const Profile profile{static_cast<ProfileKind>(kind)};
+    SCOPED_TRACE(std::string(profiles::name_of(profile.kind())) + ", round " +
+                 std::to_string(round));
+    const double v_begin = std::uniform_real_distribution<double>(0.0, 60.0)(random);
+    const profiles::Ramp feedrates{v_begin, v_begin + 40.0};
+    const Transition ramp = profile.fastest(feedrates, kRamp);
+    const Slope slope = random_slope(random, feedrates, ramp.length_mm());
+    const double factor = slope.stretch_for(ramp);
+    ASSERT_FALSE(is_above(slope, ramp.stretched(factor), 1e-4));
+    if (factor > 1.0) {
+      ++stretched;
+      ASSERT_TRUE(is_above(slope, ramp.stretched(0.999 * factor), 0.0));
+    }
+  }
+  EXPECT_GT(stretched, 100);
 }
 
 }  // namespace
