@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "lookahead/classical/axis_limit_check.hpp"
 
@@ -20,6 +21,7 @@ constexpr int kRounds = 60;
 // From these rounds on each takes a little more than was asked for, then much more.
 constexpr int kPatientRounds = 3;
 constexpr int kUsualRounds = 15;
+constexpr double kWithRounding = 1.0 + 1e-9;
 // Where a ramp may also begin: where this many times the feedrate of its foot is allowed.
 constexpr std::array kRises = {1.2, 1.6, 2.5};
 
@@ -69,6 +71,21 @@ PlacedRamp placed(const AccelerationRamp& ramp, const RampRequest& request,
           .direction = -1.0};
 }
 
+// Where it may also begin, as far from its end of the segment.
+std::vector<double> feet_mm(const RampRequest& request, const Slope& slope) {
+  std::vector<double> all_mm;
+  const double v = request.ramp.v_begin_mm_s;
+  if (request.may_wait && v > 0.0 && !slope.empty()) {
+    for (const double rise : kRises) {
+      const double foot_mm = slope.allowed_from_mm(rise * v);
+      if (rise * v < request.ramp.v_end_mm_s && foot_mm > 0.0) {
+        all_mm.push_back(foot_mm);
+      }
+    }
+  }
+  return all_mm;
+}
+
 double lost_in_s(const AccelerationRamp& ramp, const RampRequest& request) {
   return ramp.length_mm() <= request.room_mm ? lost_s(ramp) : kUnbounded;
 }
@@ -108,17 +125,26 @@ class Gentler {
   double stretch_ = 1.0;
 };
 
-// The ramp that begins no nearer to its end of the segment than foot_mm. The foot cruises, which
-// curvature allows (PathSample::feedrate_mm_s).
-AccelerationRamp gentle_enough(const RampRequest& request, double foot_mm,
+// Where a ramp begins, from its end of the segment; one that loses more is not wanted.
+struct Foot {
+  double at_mm = 0.0;
+  double lost_at_most_s = kUnbounded;
+};
+
+// The ramp that begins no nearer than the foot, up to which it cruises, as curvature allows
+// (PathSample::feedrate_mm_s).
+AccelerationRamp gentle_enough(const RampRequest& request, const Foot& foot,
                                const VelocitySegment& segment, const Profile& profile) {
-  const Slope slope = foot_mm > 0.0 ? slope_of(request, segment).from(foot_mm) : Slope{};
-  const Slope& above = foot_mm > 0.0 ? slope : slope_of(request, segment);
+  const Slope slope = foot.at_mm > 0.0 ? slope_of(request, segment).from(foot.at_mm) : Slope{};
+  const Slope& above = foot.at_mm > 0.0 ? slope : slope_of(request, segment);
   Gentler gentler(request.ramp, segment.limits.ramp, profile);
   for (int round = 0; round < kRounds; ++round) {
     AccelerationRamp ramp = below(above, gentler.law(), profile);
-    ramp.delay_mm += foot_mm;
-    if (!(ramp.length_mm() <= request.room_mm)) {
+    ramp.delay_mm += foot.at_mm;
+    // A gentler one needs no less room and loses no less time, but for a trapezoid that waits.
+    const bool loses_more = profile.kind() != ProfileKind::trapezoid &&
+                            lost_s(ramp) > kWithRounding * foot.lost_at_most_s;
+    if (!(ramp.length_mm() <= request.room_mm) || loses_more) {
       return ramp;
     }
     const RampReduction ask =
@@ -140,17 +166,27 @@ AccelerationRamp acceleration_ramp(const RampRequest& request, const VelocitySeg
   if (segment.axis_limits.empty() || v == request.ramp.v_end_mm_s) {
     return below(slope, profile.fastest(request.ramp, segment.limits.ramp), profile);
   }
-  AccelerationRamp best = gentle_enough(request, 0.0, segment, profile);
-  if (request.may_wait && v > 0.0 && !slope.empty()) {
-    for (const double rise : kRises) {
-      const double foot = slope.allowed_from_mm(rise * v);
-      if (rise * v < request.ramp.v_end_mm_s && foot > 0.0) {
-        const AccelerationRamp other = gentle_enough(request, foot, segment, profile);
-        best = lost_in_s(other, request) < lost_in_s(best, request) ? other : best;
-      }
-    }
+  AccelerationRamp best = gentle_enough(request, {}, segment, profile);
+  for (const double foot_mm : feet_mm(request, slope)) {
+    const AccelerationRamp other = gentle_enough(
+        request, {.at_mm = foot_mm, .lost_at_most_s = lost_in_s(best, request)}, segment, profile);
+    best = lost_in_s(other, request) < lost_in_s(best, request) ? other : best;
   }
   return best;
+}
+
+double least_length_mm(const RampRequest& request, const VelocitySegment& segment,
+                       const Profile& profile) {
+  const Slope& slope = slope_of(request, segment);
+  const Transition fastest = profile.fastest(request.ramp, segment.limits.ramp);
+  if (slope.empty() || profile.kind() == ProfileKind::trapezoid) {
+    return fastest.length_mm();
+  }
+  double least_mm = below(slope, fastest, profile).length_mm();
+  for (const double foot_mm : feet_mm(request, slope)) {  // having waited it may be stretched less
+    least_mm = std::min(least_mm, foot_mm + fastest.length_mm());
+  }
+  return least_mm;
 }
 
 double ramp_length_mm(const RampRequest& request, const VelocitySegment& segment,

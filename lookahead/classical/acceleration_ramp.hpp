@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "lookahead/classical/velocity_segment.hpp"
 
@@ -42,12 +43,17 @@ struct RampRequest {
 AccelerationRamp acceleration_ramp(const RampRequest& request, const VelocitySegment& segment,
                                    const profiles::Profile& profile);
 
+// A length that this ramp has at least, at much less cost.
+double least_length_mm(const RampRequest& request, const VelocitySegment& segment,
+                       const profiles::Profile& profile);
+
 // The length of that ramp, cheaper where there is no slope.
 double ramp_length_mm(const RampRequest& request, const VelocitySegment& segment,
                       const profiles::Profile& profile);
 
 // The ramps on both sides of a cruise.
-struct CruiseSides {
+struct Cruise {
+  double v_mm_s = 0.0;
   AccelerationRamp up{};
   AccelerationRamp down_mirrored{};  // accelerates from the end's feedrate
 };
@@ -63,18 +69,23 @@ class CruiseSearch {
                const profiles::Profile& profile)
       : segment_(segment), ends_(ends), length_mm_(length_mm), profile_(profile) {}
 
-  [[nodiscard]] double best_mm_s() const;
-  [[nodiscard]] CruiseSides sides(double cruise_mm_s) const;
+  [[nodiscard]] Cruise best() const;
 
  private:
-  struct Bracket {
-    double low_mm_s = 0.0;
-    double high_mm_s = 0.0;
+  struct Timed {
+    Cruise cruise{};
+    double time_s = kUnbounded;
   };
 
-  [[nodiscard]] double spare_mm(const CruiseSides& sides) const;
-  [[nodiscard]] double time_s(double cruise_mm_s) const;
-  [[nodiscard]] double fastest_in(const Bracket& cruise) const;
+  [[nodiscard]] Cruise cruise_at(double v_mm_s) const;
+  // None where it does not fit.
+  [[nodiscard]] std::optional<Cruise> fitting(double v_mm_s) const;
+  [[nodiscard]] RampRequest side(SegmentSide side, double v_mm_s) const;
+  [[nodiscard]] double spare_mm(const Cruise& cruise) const;
+  [[nodiscard]] double time_s(const Cruise& cruise) const;
+  [[nodiscard]] Timed timed(double v_mm_s) const;
+  // low_mm_s: the lowest cruise of interest.
+  [[nodiscard]] Cruise fastest_below(const Cruise& highest, double low_mm_s) const;
 
   const VelocitySegment& segment_;
   const SegmentEnds& ends_;

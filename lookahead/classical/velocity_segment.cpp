@@ -193,13 +193,12 @@ SegmentPlan plan_segment(const VelocitySegment& segment, const SegmentEnds& ends
     plan.acceleration = profile.fastest({ends.v_begin_mm_s, cruise}, segment.limits.ramp);
     plan.deceleration = profile.fastest({cruise, ends.v_end_mm_s}, segment.limits.ramp);
   } else {
-    const CruiseSearch search(segment, ends, length, profile);
-    cruise = search.best_mm_s();
-    const CruiseSides sides = search.sides(cruise);
-    plan.acceleration = sides.up.law;
-    plan.deceleration = sides.down_mirrored.law.reversed();
-    lengthen(plan.begin_constant_velocity, ends.v_begin_mm_s, sides.up.delay_mm);
-    lengthen(plan.end_constant_velocity, ends.v_end_mm_s, sides.down_mirrored.delay_mm);
+    const Cruise best = CruiseSearch(segment, ends, length, profile).best();
+    cruise = best.v_mm_s;
+    plan.acceleration = best.up.law;
+    plan.deceleration = best.down_mirrored.law.reversed();
+    lengthen(plan.begin_constant_velocity, ends.v_begin_mm_s, best.up.delay_mm);
+    lengthen(plan.end_constant_velocity, ends.v_end_mm_s, best.down_mirrored.delay_mm);
   }
   const double spare = segment.length_mm - plan.begin_constant_velocity.length_mm() -
                        plan.acceleration.length_mm() - plan.deceleration.length_mm() -
