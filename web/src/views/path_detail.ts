@@ -30,38 +30,36 @@ function coarser(path: Path, points: Uint32Array, fixed: (i: number) => boolean)
   const kept: number[] = [];
   for (let begin = 0; begin < points.length; begin += GROUP) {
     const end = Math.min(begin + GROUP, points.length);
-    const places = new Set([begin]);
-    if (end === points.length) places.add(end - 1);
+    let places = 1; // a bit for each point of the group: those that are kept
+    if (end === points.length) places |= 1 << (end - 1 - begin);
     for (const axis of path.xyz) {
       let [low, high] = [begin, begin];
       for (let i = begin + 1; i < end; ++i) {
         if (axis[points[i]!]! < axis[points[low]!]!) low = i;
         if (axis[points[i]!]! > axis[points[high]!]!) high = i;
       }
-      places.add(low).add(high);
+      places |= (1 << (low - begin)) | (1 << (high - begin));
     }
-    for (let i = begin; i < end; ++i) if (fixed(points[i]!)) places.add(i);
-    kept.push(...[...places].sort((a, b) => a - b).map((place) => points[place]!));
+    for (let i = begin; i < end; ++i) if (((places >> (i - begin)) & 1) === 1 || fixed(points[i]!)) kept.push(points[i]!);
   }
   return Uint32Array.from(kept);
 }
 
-// From the even way between two others: a stretch has one colour, and on a straight line a ramp of the feed has many.
-function distance({ tick, xyz: [x, y, z] }: Path, i: number, a: number, b: number): number {
-  const [px, py, pz] = [x[i]! - x[a]!, y[i]! - y[a]!, z[i]! - z[a]!];
-  const [wx, wy, wz] = [x[b]! - x[a]!, y[b]! - y[a]!, z[b]! - z[a]!];
-  const ticks = tick[b]! - tick[a]!;
-  const share = ticks > 0 ? (tick[i]! - tick[a]!) / ticks : 0;
-  return Math.hypot(px - share * wx, py - share * wy, pz - share * wz);
-}
-
-// Of the path's points from the ways between those that are kept.
-function errorOf(path: Path, points: Uint32Array): number {
-  let most = 0;
+// How far the path's points are from the even ways between those that are kept: a stretch has one colour, and on a straight line a
+// ramp of the feed has many.
+function errorOf({ tick, xyz: [x, y, z] }: Path, points: Uint32Array): number {
+  let most = 0; // squared
   for (let k = 1; k < points.length; ++k) {
-    for (let i = points[k - 1]! + 1; i < points[k]!; ++i) most = Math.max(most, distance(path, i, points[k - 1]!, points[k]!));
+    const [a, b] = [points[k - 1]!, points[k]!];
+    const [wx, wy, wz] = [x[b]! - x[a]!, y[b]! - y[a]!, z[b]! - z[a]!];
+    const ticks = tick[b]! - tick[a]!;
+    for (let i = a + 1; i < b; ++i) {
+      const share = ticks > 0 ? (tick[i]! - tick[a]!) / ticks : 0;
+      const [dx, dy, dz] = [x[i]! - x[a]! - share * wx, y[i]! - y[a]! - share * wy, z[i]! - z[a]! - share * wz];
+      most = Math.max(most, dx * dx + dy * dy + dz * dz);
+    }
   }
-  return most;
+  return Math.sqrt(most);
 }
 
 function chunkOf(path: Path, first: number, last: number): Chunk {
