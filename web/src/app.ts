@@ -212,9 +212,8 @@ export class App {
     this.path?.show(plan);
     this.time.show(plan, this.shown.partOf ?? null);
     this.showDifference();
-    // The panels have their size by now.
-    requestAnimationFrame(() => this.path?.restore(state.camera));
     this.showLegend();
+    this.path?.restore(state.camera);
   }
 
   // Of the shown plan from the base; while the base is shown, of the first other one.

@@ -31,7 +31,9 @@ export class PathView {
   private readonly camera: PathCamera;
   private readonly pointer: PathPointer;
   private places: Place[] = [];
-  private corner: Size = { width: 0, height: 0 }; // that is covered, the lower right one
+  private avoided: HTMLElement | null = null; // what stands over its lower right corner
+  private corner: Size = { width: 0, height: 0 }; // that it covers
+  private size = ""; // in pixels of the screen; empty: it is not seen
   private plan: Plan | null = null; // null: it has no path
   private furnished: Plan | null = null; // also one without a path
   private scheduled = false;
@@ -48,7 +50,7 @@ export class PathView {
     this.camera = new PathCamera(this.canvas, () => this.draw(), () => store.set({ camera: this.camera.text }, "path"));
     this.pointer = new PathPointer(store, this.canvas, () => this.camera.projection);
     this.element = h("div", { class: "path-view" }, this.canvas, this.overlay, this.note, this.pointer.tip);
-    new ResizeObserver(() => this.resize()).observe(this.element);
+    new ResizeObserver(() => this.measure()).observe(this.element);
     store.listen((_state, change) => {
       if ("tick" in change || "hover" in change) this.showInstant();
       if ("colourBy" in change) this.paint();
@@ -87,7 +89,9 @@ export class PathView {
     this.camera.fit();
   }
 
+  // All panels are there.
   restore(camera: string): void {
+    this.measure(); // else the first frame would be drawn twice: before the observers speak, and after
     if (this.plan) this.camera.restore(camera);
   }
 
@@ -112,18 +116,30 @@ export class PathView {
 
   // What stands over its lower right corner: names of places keep off it.
   avoid(element: HTMLElement): void {
-    const margin = parseFloat(getComputedStyle(element).right) || 0;
-    new ResizeObserver(([entry]) => {
-      const { width, height } = entry!.contentRect;
-      this.corner = width > 0 ? { width: width + margin, height: height + margin } : { width, height };
-      this.camera.cover(this.corner);
-      this.draw();
-    }).observe(element);
+    this.avoided = element;
+    new ResizeObserver(() => this.measure()).observe(element);
   }
 
-  private resize(): void {
+  private measure(): void {
+    if (this.avoided) this.cover(this.avoided);
     const { clientWidth: width, clientHeight: height } = this.element;
-    if (width === 0 || height === 0) return;
+    const size = width === 0 || height === 0 ? "" : `${width} ${height} ${window.devicePixelRatio}`;
+    if (size === this.size) return;
+    this.size = size;
+    if (size !== "") this.resize(width, height);
+  }
+
+  private cover(element: HTMLElement): void {
+    const { clientWidth: width, clientHeight: height } = element;
+    const margin = width > 0 ? parseFloat(getComputedStyle(element).right) || 0 : 0;
+    const corner = { width: width + margin, height: height + margin };
+    if (corner.width === this.corner.width && corner.height === this.corner.height) return;
+    this.corner = corner;
+    this.camera.cover(corner);
+    this.draw();
+  }
+
+  private resize(width: number, height: number): void {
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.renderer.setSize(width, height, false);
     this.overlay.width = width * window.devicePixelRatio;
@@ -133,7 +149,7 @@ export class PathView {
   }
 
   private draw(): void {
-    if (this.scheduled) return;
+    if (this.scheduled || this.size === "") return;
     this.scheduled = true;
     clearTimeout(this.refining); // the frame sees to it
     requestAnimationFrame(() => {
