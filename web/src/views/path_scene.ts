@@ -41,6 +41,7 @@ export class PathScene {
     this.mark.object.renderOrder = -1;
     (this.zero.material as THREE.LineBasicMaterial).depthTest = false;
     this.zero.renderOrder = 5;
+    this.zeros.add(this.zero); // until a plan is shown: whoever draws the scene before has all that it draws after
     this.scene.add(this.lines.object, this.mark.object, this.travel, this.zeros, this.tool);
   }
 

@@ -68,7 +68,7 @@ export class Strokes {
     geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array([0, -1, 0, 1, -1, 0, 0, 1, 0, 1, 1, 0]), 3));
     geometry.setIndex([0, 1, 2, 2, 1, 3]);
     for (const [name, attribute] of Object.entries(this.attributes)) geometry.setAttribute(name, attribute);
-    geometry.instanceCount = 0;
+    geometry.instanceCount = 1; // of no length, until it is filled
     const material = new THREE.ShaderMaterial({
       vertexShader: VERTEX,
       fragmentShader: FRAGMENT,
