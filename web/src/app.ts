@@ -94,13 +94,13 @@ export class App {
   // Of the plan that is shown, as long as its times are not there.
   showProgress(progress: Progress): void {
     this.answer.showProgress(progress);
-    this.program.showLines(progress);
+    this.program.showProgress(progress);
   }
 
   // They will not come.
   showNoTimes(): void {
     this.answer.showProgress("none");
-    this.program.expectNothing();
+    this.program.showProgress(null);
   }
 
   private get plan(): Plan {

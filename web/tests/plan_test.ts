@@ -3,7 +3,7 @@ import { test } from "node:test";
 import { accountOf, fitsOf } from "../src/plan/account.ts";
 import { ByLine } from "../src/plan/by_line.ts";
 import { decodePlan, unpackNumbers } from "../src/plan/decode.ts";
-import { RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
+import { Plan, RunKind, lastAtOrBefore, type Path } from "../src/plan/plan.ts";
 import { Pyramid } from "../src/plan/pyramid.ts";
 import { operationsOf, splitOf, toolsOf } from "../src/plan/split.ts";
 import { cutAtTravel } from "../src/plan/cut_path.ts";
@@ -43,6 +43,24 @@ test("a section of numbers is unpacked when it is asked for, and only then does 
   assert.equal(numbers.get("whole"), numbers.get("whole"));
   assert.throws(() => numbers.get("short"), /end early/);
   assert.equal(numbers.get("none"), undefined);
+});
+
+test("the text of a long program is made when it is asked for, at once or in steps", () => {
+  const sections = [{ name: "source.text", coding: "bytes", count: 5, bytes: 5 }, { name: "source.X1", coding: "differences", count: 2, bytes: 2 }];
+  const planOfText = (): { plan: Plan; asked: string[] } => {
+    const decoded = decodePlan(made("KERFPLAN", { version: 2, sections }, [0x58, 2, 0x0d, 0x58, 2, 30, 5])); // X 1.5, X 1.2
+    const asked: string[] = [];
+    const numbers = { has: (name: string) => decoded.numbers.has(name), keys: () => decoded.numbers.keys(), get: (name: string) => (asked.push(name), decoded.numbers.get(name)) };
+    return { plan: new Plan({ ...decoded, numbers }), asked };
+  };
+  const { plan, asked } = planOfText();
+  assert.ok(plan.hasSource && asked.length === 0);
+  assert.equal(plan.source, "X1.5\nX1.2");
+  assert.deepEqual(asked, ["source.X1"]);
+  const begun = planOfText().plan;
+  assert.equal(begun.sourceSteps.next().done, false);
+  assert.equal(begun.source, "X1.5\nX1.2");
+  assert.equal(begun.sourceSteps.next().done, true);
 });
 
 test("a pyramid finds minimum and maximum of every range as a look at all values does", () => {

@@ -40,7 +40,8 @@ export function kerf(...words: string[]): { status: number; out: string } {
   }
 }
 
-async function openFile(file: string, fragment = ""): Promise<Opened> {
+// before: is run in the page before its own script.
+async function openFile(file: string, fragment: string, before: () => void): Promise<Opened> {
   const context = await (await running()).newContext({ viewport: { width: 1280, height: 720 }, offline: true });
   const page = await context.newPage();
   const said: string[] = [];
@@ -49,6 +50,7 @@ async function openFile(file: string, fragment = ""): Promise<Opened> {
   page.on("request", (request) => {
     if (!request.url().startsWith("file:") && !request.url().startsWith("blob:")) said.push(`asked for ${request.url()}`);
   });
+  await page.addInitScript(before);
   await page.goto(pathToFileURL(file).href + fragment);
   await page.waitForSelector("header", { timeout: 30_000 });
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
@@ -62,7 +64,7 @@ export function makeReport(words: readonly string[]): string {
   return file;
 }
 
-export const openReport = (words: readonly string[], fragment = ""): Promise<Opened> => openFile(makeReport(words), fragment);
+export const openReport = (words: readonly string[], fragment = "", before = (): void => undefined): Promise<Opened> => openFile(makeReport(words), fragment, before);
 
 export function programFile(text: string | Buffer, name = `${++count}.ngc`): string {
   const file = join(folder, name);

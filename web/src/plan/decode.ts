@@ -1,8 +1,6 @@
 // Reads the bytes of a plan: the magic, the size of the header, the header (JSON), then the sections that it lists.
 // kerf writes them in programs/kerf/page/plan_document.cpp; docs/page-data.md describes them.
 
-import { sourceOf } from "./source_text.ts";
-
 export const PLAN_VERSION = 2;
 
 export interface Limits {
@@ -223,7 +221,5 @@ export function decodePlan(bytes: Uint8Array): Decoded {
       raw.set(section.name, part);
     }
   }
-  const text = raw.get("source.text");
-  if (text) raw.set("source", sourceOf(text, numbers));
   return { header, numbers, bytes: raw };
 }

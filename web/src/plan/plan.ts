@@ -2,6 +2,7 @@
 import type { Decoded, Header } from "./decode.ts";
 import { cutAtTravel } from "./cut_path.ts";
 import { Pyramid, type MinMax } from "./pyramid.ts";
+import { hasSource, sourceIn } from "./source_text.ts";
 
 export enum RunKind {
   rest,
@@ -98,7 +99,9 @@ export class Plan {
   readonly header: Header;
   readonly path: Path | null; // also of one that leaves the travel
   readonly motion: Motion | null; // null: it did not run
-  readonly source: string | null; // its lines end with LF, whatever they were read with
+  readonly hasSource: boolean;
+  readonly sourceSteps: Generator<void>; // each makes some of the source, which is there after the last
+  private text: string | null = null;
   private readonly decoded: Decoded;
   private readonly pyramids = new Map<string, Pyramid>();
 
@@ -109,10 +112,20 @@ export class Plan {
     const path = pathOf(decoded);
     this.motion = motionOf(decoded, path);
     this.path = path && !this.motion ? cutAtTravel(path, this.header.machine.axes) : path;
-    const text = decoded.bytes.get("source");
+    this.hasSource = source !== undefined || hasSource(decoded);
+    this.sourceSteps = this.madeSource(source);
+  }
+
+  private *madeSource(given: string | undefined): Generator<void> {
     // What is not UTF-8 becomes U+FFFD.
-    const read = source ?? (text ? new TextDecoder().decode(text) : null);
-    this.source = read === null ? null : withLineFeeds(read);
+    this.text = withLineFeeds(given ?? new TextDecoder().decode(yield* sourceIn(this.decoded)));
+  }
+
+  // Its lines end with LF, whatever they were read with. Made when it is first asked for: a million lines take as long as all
+  // that is seen before them.
+  get source(): string | null {
+    if (this.hasSource) while (!this.sourceSteps.next().done);
+    return this.text;
   }
 
   get period_s(): number {

@@ -1,8 +1,9 @@
 // The text of a long program, whose numbers stand apart.
-import type { Numbers } from "./decode.ts";
+import type { Decoded, Numbers } from "./decode.ts";
 
 const MARKS = 8; // bytes 1 to 8: a number of 0 to 7 decimals
 const MOST = 18; // characters of a number, with sign and point
+const PIECE = 1 << 18; // bytes of a step
 const WHOLE = 2 ** 31; // below it, numbers are divided as integers: of a long program there are millions
 
 // Writes a number of so many decimals, given without its point. Returns where it ends.
@@ -22,29 +23,60 @@ function write(number: number, decimals: number, into: Uint8Array, at: number): 
   return end;
 }
 
-// text: with one byte for each number. numbers: by "source.X3", of the letter X and 3 decimals.
-export function sourceOf(text: Uint8Array, numbers: Numbers): Uint8Array {
-  const stores: (Float64Array | undefined)[] = [];
-  let count = 0;
-  for (const name of numbers.keys()) {
-    const [, letter, decimals] = /^source\.([A-Za-z])(\d)$/.exec(name) ?? [];
-    if (letter === undefined) continue;
-    const values = numbers.get(name)!;
-    stores[letter.charCodeAt(0) * MARKS + Number(decimals)] = values;
-    count += values.length;
-  }
-  const taken = new Uint32Array(256 * MARKS);
-  const source = new Uint8Array(text.length + count * MOST);
-  let at = 0;
-  for (const byte of text) {
-    if (byte === 0 || byte > MARKS) {
-      source[at++] = byte;
-      continue;
+// A text with one byte for each number, being written out.
+class Writing {
+  source = new Uint8Array();
+  at = 0; // where it ends
+  private readonly stores: (Float64Array | undefined)[] = [];
+  private readonly taken = new Uint32Array(256 * MARKS);
+
+  // numbers: by "source.X3", of the letter X and 3 decimals.
+  *read(numbers: Numbers, textLength: number): Generator<void> {
+    let count = 0;
+    for (const name of numbers.keys()) {
+      const [, letter, decimals] = /^source\.([A-Za-z])(\d)$/.exec(name) ?? [];
+      if (letter === undefined) continue;
+      const values = numbers.get(name)!;
+      this.stores[letter.charCodeAt(0) * MARKS + Number(decimals)] = values;
+      count += values.length;
+      yield;
     }
-    const store = at > 0 ? source[at - 1]! * MARKS + byte - 1 : 0;
-    const number = stores[store]?.[taken[store]!++];
-    if (number === undefined) return text; // bytes that are the program's own
-    at = write(number, byte - 1, source, at);
+    this.source = new Uint8Array(textLength + count * MOST);
   }
-  return source.subarray(0, at);
+
+  // False: a byte that stands for no number.
+  add(text: Uint8Array): boolean {
+    const { source, stores, taken } = this;
+    let { at } = this;
+    for (const byte of text) {
+      if (byte === 0 || byte > MARKS) {
+        source[at++] = byte;
+        continue;
+      }
+      const store = at > 0 ? source[at - 1]! * MARKS + byte - 1 : 0;
+      const number = stores[store]?.[taken[store]!++];
+      if (number === undefined) return false;
+      at = write(number, byte - 1, source, at);
+    }
+    this.at = at;
+    return true;
+  }
+}
+
+function* sourceOf(text: Uint8Array, numbers: Numbers): Generator<void, Uint8Array> {
+  const writing = new Writing();
+  yield* writing.read(numbers, text.length);
+  for (let begin = 0; begin < text.length; begin += PIECE) {
+    if (!writing.add(text.subarray(begin, begin + PIECE))) return text; // bytes that are the program's own
+    yield;
+  }
+  return writing.source.subarray(0, writing.at);
+}
+
+export const hasSource = ({ bytes }: Decoded): boolean => bytes.has("source") || bytes.has("source.text");
+
+// The program's text, to the byte, made in steps; empty: it is not in the plan.
+export function* sourceIn({ numbers, bytes }: Decoded): Generator<void, Uint8Array> {
+  const text = bytes.get("source.text");
+  return text ? yield* sourceOf(text, numbers) : (bytes.get("source") ?? new Uint8Array());
 }

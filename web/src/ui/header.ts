@@ -56,7 +56,7 @@ export class Header {
     this.title.textContent = nameOf(plan);
     this.title.title = report.file;
     document.title = `${nameOf(plan)} \u2013 Kerf`;
-    const text = plan.source === null ? "without the program\u2019s text" : "with the program\u2019s text";
+    const text = plan.hasSource ? "with the program\u2019s text" : "without the program\u2019s text";
     this.what.textContent = `${report.machine === "default" ? "default machine" : machineOf(plan)}, ${report.profile}, ${text}`;
     this.several.hidden = plans.length < 2;
     const told = names ?? numbered(plans.map((one) => `${nameOf(one)}${one.header.report.machine === "default" ? "" : `, ${machineOf(one)}`}`));

@@ -5,6 +5,20 @@ import { withLineFeeds, type Plan } from "../plan/plan.ts";
 // The editor would split it by a pattern, which takes twice as long for a million lines.
 export const linesOf = (text: string): Text => Text.of(withLineFeeds(text).split("\n"));
 
+const PIECE = 1 << 20; // characters of a step
+
+// The same of a text whose lines end with LF, in steps.
+export function* linesInSteps(text: string): Generator<void, Text> {
+  let lines = Text.empty;
+  for (let begin = 0; begin < text.length; ) {
+    const end = text.indexOf("\n", begin + PIECE) + 1 || text.length;
+    lines = lines.append(linesOf(text.slice(begin, end)));
+    begin = end;
+    yield;
+  }
+  return lines;
+}
+
 export const setPlan = StateEffect.define<Plan>(); // of the text as it is now
 
 export class PlannedLines {

@@ -2,15 +2,14 @@
 import { EditorState, type Extension, type StateEffect, type Text, type TransactionSpec } from "@codemirror/state";
 import { EditorView, gutter, keymap, lineNumbers, type ViewUpdate } from "@codemirror/view";
 import type { Account } from "../plan/account.ts";
-import { ByLine, type LineNumbers } from "../plan/by_line.ts";
-import { ExpectedLines } from "../plan/expected_lines.ts";
 import type { Plan } from "../plan/plan.ts";
 import type { Progress } from "../plan/source.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
-import { roughTime, shortTime } from "../units.ts";
+import { inSteps } from "../ui/steps.ts";
 import { LineFollower } from "./line_follower.ts";
-import { linesOf, plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
+import { LineTimes } from "./line_times.ts";
+import { linesInSteps, linesOf, plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
 import { TimeMarker, activeLine, diagnostics, look, setLine, setTimes } from "./program_marks.ts";
 
 // Of a program that is written here.
@@ -30,13 +29,12 @@ export class ProgramView {
   private readonly codes = h("span", { "data-test": "codes", title: "the codes in force at this instant" });
   private readonly note = h("div", { class: "read-only", "data-test": "read-only", hidden: true }, "The text of the run that is shown, to be read only. What is written is kept.");
   private view: EditorView | null = null;
+  private read: Plan | null = null; // whose text it has, where nothing is written
   private written: { readonly state: EditorState; readonly scroll: StateEffect<unknown> } | null = null; // while another text is looked at
   private plan: Plan | null = null;
   private account: Account | null = null;
-  private expectation: ExpectedLines | null = null;
-  private expected: LineNumbers = new ByLine(0); // ticks of lines that are not planned to their end
+  private times: LineTimes | null = null;
   private readonly follower = new LineFollower(() => this.showInstant(true));
-  private longest = 1; // ticks of the line that takes longest
   private readonly store: Store;
   private readonly editing: Editing | null;
 
@@ -56,30 +54,34 @@ export class ProgramView {
   show(plan: Plan, account: Account): void {
     this.plan = plan;
     this.account = account;
-    this.expectation = null;
-    this.expected = new ByLine(0);
-    this.findLongest();
-    this.host.hidden = plan.source === null;
-    this.message.hidden = plan.source !== null;
+    this.times = new LineTimes(plan, account);
+    this.host.hidden = !plan.hasSource;
+    this.message.hidden = plan.hasSource;
+    if (!this.editing && this.read?.header.report.file !== plan.header.report.file) this.clear();
     if (this.view && this.editing) this.turnTo(plan.source ?? "");
-    else if (this.view?.state.doc.toString() !== (plan.source ?? undefined)) this.build(plan);
+    else inSteps(this.build(plan), () => (this.editing ? this.view === null : this.plan === plan));
     this.showPlan(plan);
   }
 
-  // After the next frame: to lay out a million lines takes as long as all else, and the answer and the path need not wait.
-  private build(plan: Plan): void {
-    const { editing } = this;
-    const source = editing?.text ?? plan.source;
+  private clear(): void {
     this.view?.destroy();
-    this.view = null;
+    this.view = this.read = null;
+  }
+
+  // A million lines take as long as all that is seen before them.
+  private *build(plan: Plan): Generator<void> {
+    const { editing } = this;
+    if (!editing) yield* plan.sourceSteps;
+    const source = editing?.text ?? plan.source;
     if (source === null) return;
-    const built = (): void => {
-      if (this.view || (this.plan !== plan && !editing)) return;
-      this.view = new EditorView({ state: this.stateOf(linesOf(source), editing !== null), parent: this.root, root: this.root });
+    if (!this.view || this.read?.source !== source) {
+      const lines = editing ? linesOf(source) : yield* linesInSteps(source);
+      this.clear();
+      this.view = new EditorView({ state: this.stateOf(lines, editing !== null), parent: this.root, root: this.root });
       editing?.attach((change) => this.change(change));
-      this.showPlan(this.plan!);
-    };
-    requestAnimationFrame(() => setTimeout(built));
+    }
+    this.read = plan;
+    this.showPlan(this.plan!);
   }
 
   // What is written stays as it is; the plan of another text, which is looked at, has its own in place of it.
@@ -110,39 +112,27 @@ export class ProgramView {
     this.view!.dispatch(change(this.view!.state));
   }
 
+  // Not while the text of a plan before still stands there.
   private get lines(): PlannedLines | null {
-    return this.view?.state.field(plannedLines) ?? null;
+    return this.isRead ? this.view!.state.field(plannedLines) : null;
+  }
+
+  private get isRead(): boolean {
+    return this.view !== null && (this.editing !== null || this.read === this.plan);
   }
 
   // The line of the plan before goes: where the text stays, its editor does, too. Where somebody writes nothing moves.
   private showPlan(plan: Plan): void {
     this.follower.forget();
-    const isPresent = this.view?.state.doc.toString() === plan.source;
+    const isPresent = this.editing ? this.view?.state.doc.toString() === plan.source : this.isRead;
     this.view?.dispatch({ effects: [isPresent ? setPlan.of(plan) : setTimes.of(null), setLine.of(0)] });
     this.showInstant(this.editing === null || this.root.activeElement === null);
   }
 
-  // The ticks of some lines of a plan that is on its way, and about what the others take.
-  showLines(progress: Progress): void {
-    if (!this.plan || !this.account) return;
-    this.account = { ...this.account, lines: progress.lines };
-    this.expectation ??= new ExpectedLines(this.plan);
-    this.expect(this.expectation.at(progress));
-  }
-
-  expectNothing(): void {
-    this.expect(new ByLine(0));
-  }
-
-  private expect(lines: LineNumbers): void {
-    this.expected = lines;
-    this.findLongest();
+  // How far a plan is that is on its way; null: no more will come.
+  showProgress(progress: Progress | null): void {
+    this.times?.follow(progress);
     this.view?.dispatch({ effects: setTimes.of(null) });
-  }
-
-  private findLongest(): void {
-    this.longest = 1;
-    for (const lines of [this.account?.lines, this.expected]) lines?.forEach((ticks) => (this.longest = Math.max(this.longest, ticks)));
   }
 
   private stateOf(doc: Text, isWritten: boolean): EditorState {
@@ -178,12 +168,7 @@ export class ProgramView {
   }
 
   private marker(line: number): TimeMarker | null {
-    const planned = this.lines?.plannedOf(line) ?? 0;
-    const expected = this.expected.get(planned);
-    const ticks = expected ?? this.account?.lines.get(planned) ?? 0;
-    if (ticks < 0.5) return null;
-    const seconds = ticks * this.plan!.period_s;
-    return new TimeMarker(expected === undefined ? shortTime(seconds) : roughTime(seconds), ticks / this.longest);
+    return this.times?.markerOf(this.lines?.plannedOf(line) ?? 0) ?? null;
   }
 
   // The next line, in that direction, that takes time.
@@ -240,9 +225,9 @@ export class ProgramView {
     const runs = plan?.motion?.runs;
     const run = plan?.runAt(instant) ?? 0;
     // First, for the editor asks the browser where things are: a word written before has all of the page laid out for that.
-    if (this.view) this.follower.mark(this.view, runs?.line[run] ?? 0, scroll);
+    if (this.view && this.isRead) this.follower.mark(this.view, runs?.line[run] ?? 0, scroll);
     this.words.textContent = plan?.inForceAt("words", instant) ?? "";
     this.codes.textContent = plan?.inForceAt("codes", instant) ?? "";
-    if (plan?.source === null) this.message.textContent = `The program's text is not in this report.${plan.motion ? ` The tool is in ${plan.placeAt(instant)}.` : ""}`;
+    if (plan?.hasSource === false) this.message.textContent = `The program's text is not in this report.${plan.motion ? ` The tool is in ${plan.placeAt(instant)}.` : ""}`;
   }
 }
