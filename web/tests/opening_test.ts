@@ -19,7 +19,8 @@ function note(): void {
   TextDecoder.prototype.decode = function (...words) {
     const text = decode.apply(this, words);
     if (text.length > 100_000) {
-      page.noted.push(`text beside ${document.querySelectorAll("header").length} header`);
+      const lines = document.querySelector(".program-view > div")?.shadowRoot?.querySelectorAll(".cm-line").length;
+      page.noted.push(`text beside ${document.querySelectorAll("header").length} header and ${lines ? "lines" : "no line"}`);
       page.text = text;
     }
     return text;
@@ -37,11 +38,11 @@ function note(): void {
 
 const longProgram = (): string => programFile(`G21 G90 F6000\n${Array.from({ length: 8000 }, (_, i) => `G1 X${((i % 40) / 8).toFixed(3)} Y${(i / 1000).toFixed(3)}`).join("\n")}\nM2\n`);
 
-test("answer and path of a long program are seen before its text is made, which then is there as a whole", async () => {
+test("answer and path of a long program are seen before its first lines, and these before the whole text is made", async () => {
   const program = longProgram();
   const { page, said } = await openReport([program], "", note);
-  await page.waitForFunction(() => (window as unknown as Noted).text !== "");
-  assert.deepEqual(await page.evaluate(() => (window as unknown as Noted).noted), ["path", "text beside 1 header"]);
+  await page.waitForFunction(() => (window as unknown as Noted).noted.length === 3);
+  assert.deepEqual(await page.evaluate(() => (window as unknown as Noted).noted), ["path", "text beside 1 header and no line", "text beside 1 header and lines"]);
   assert.equal(await page.evaluate(() => (window as unknown as Noted).text), readFileSync(program, "utf8"));
   // The instant was moved before there was a text.
   const lines = readFileSync(program, "utf8").split("\n");

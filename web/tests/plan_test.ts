@@ -47,8 +47,8 @@ test("a section of numbers is unpacked when it is asked for, and only then does 
 
 test("the text of a long program is made when it is asked for, at once or in steps", () => {
   const sections = [{ name: "source.text", coding: "bytes", count: 5, bytes: 5 }, { name: "source.X1", coding: "differences", count: 2, bytes: 2 }];
-  const planOfText = (): { plan: Plan; asked: string[] } => {
-    const decoded = decodePlan(made("KERFPLAN", { version: 2, sections }, [0x58, 2, 0x0d, 0x58, 2, 30, 5])); // X 1.5, X 1.2
+  const planOfText = (lineEnd = 0x0d): { plan: Plan; asked: string[] } => {
+    const decoded = decodePlan(made("KERFPLAN", { version: 2, sections }, [0x58, 2, lineEnd, 0x58, 2, 30, 5])); // X 1.5, X 1.2
     const asked: string[] = [];
     const numbers = { has: (name: string) => decoded.numbers.has(name), keys: () => decoded.numbers.keys(), get: (name: string) => (asked.push(name), decoded.numbers.get(name)) };
     return { plan: new Plan({ ...decoded, numbers }), asked };
@@ -61,6 +61,7 @@ test("the text of a long program is made when it is asked for, at once or in ste
   assert.equal(begun.sourceSteps.next().done, false);
   assert.equal(begun.source, "X1.5\nX1.2");
   assert.equal(begun.sourceSteps.next().done, true);
+  assert.deepEqual([...planOfText(0x0a).plan.sourceSteps], ["", "X1.5"]); // its whole lines
 });
 
 test("a pyramid finds minimum and maximum of every range as a look at all values does", () => {

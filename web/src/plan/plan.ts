@@ -95,12 +95,17 @@ function motionOf(decoded: Decoded, path: Path | null): Motion | null {
 // CR, LF and CRLF each end a line, and CRs after an LF belong to its end, as kerf counts lines.
 export const withLineFeeds = (text: string): string => (text.includes("\r") ? text.replace(/\r\n?|\n\r*/g, "\n") : text);
 
+const LINE_FEED = 10;
+
+// What is not UTF-8 becomes U+FFFD.
+const textOf = (bytes: Uint8Array): string => withLineFeeds(new TextDecoder().decode(bytes));
+
 export class Plan {
   readonly header: Header;
   readonly path: Path | null; // also of one that leaves the travel
   readonly motion: Motion | null; // null: it did not run
   readonly hasSource: boolean;
-  readonly sourceSteps: Generator<void>; // each makes some of the source, which is there after the last
+  readonly sourceSteps: Generator<string>; // each makes some of the source, and gives its first lines once there are some
   private text: string | null = null;
   private readonly decoded: Decoded;
   private readonly pyramids = new Map<string, Pyramid>();
@@ -116,9 +121,20 @@ export class Plan {
     this.sourceSteps = this.madeSource(source);
   }
 
-  private *madeSource(given: string | undefined): Generator<void> {
-    // What is not UTF-8 becomes U+FFFD.
-    this.text = withLineFeeds(given ?? new TextDecoder().decode(yield* sourceIn(this.decoded)));
+  private *madeSource(given: string | undefined): Generator<string> {
+    this.text = given === undefined ? yield* this.readSource() : withLineFeeds(given);
+  }
+
+  private *readSource(): Generator<string, string> {
+    const steps = sourceIn(this.decoded);
+    let begin: string | undefined;
+    let step = steps.next();
+    for (; !step.done; step = steps.next()) {
+      const { value } = step;
+      if (value.length > 0) begin ??= textOf(value.subarray(0, Math.max(0, value.lastIndexOf(LINE_FEED))));
+      yield begin ?? "";
+    }
+    return textOf(step.value);
   }
 
   // Its lines end with LF, whatever they were read with. Made when it is first asked for: a million lines take as long as all

@@ -30,8 +30,12 @@ class Writing {
   private readonly stores: (Float64Array | undefined)[] = [];
   private readonly taken = new Uint32Array(256 * MARKS);
 
+  get soFar(): Uint8Array {
+    return this.source.subarray(0, this.at);
+  }
+
   // numbers: by "source.X3", of the letter X and 3 decimals.
-  *read(numbers: Numbers, textLength: number): Generator<void> {
+  *read(numbers: Numbers, textLength: number): Generator<Uint8Array> {
     let count = 0;
     for (const name of numbers.keys()) {
       const [, letter, decimals] = /^source\.([A-Za-z])(\d)$/.exec(name) ?? [];
@@ -39,7 +43,7 @@ class Writing {
       const values = numbers.get(name)!;
       this.stores[letter.charCodeAt(0) * MARKS + Number(decimals)] = values;
       count += values.length;
-      yield;
+      yield this.soFar;
     }
     this.source = new Uint8Array(textLength + count * MOST);
   }
@@ -63,20 +67,20 @@ class Writing {
   }
 }
 
-function* sourceOf(text: Uint8Array, numbers: Numbers): Generator<void, Uint8Array> {
+function* sourceOf(text: Uint8Array, numbers: Numbers): Generator<Uint8Array, Uint8Array> {
   const writing = new Writing();
   yield* writing.read(numbers, text.length);
   for (let begin = 0; begin < text.length; begin += PIECE) {
     if (!writing.add(text.subarray(begin, begin + PIECE))) return text; // bytes that are the program's own
-    yield;
+    yield writing.soFar;
   }
-  return writing.source.subarray(0, writing.at);
+  return writing.soFar;
 }
 
 export const hasSource = ({ bytes }: Decoded): boolean => bytes.has("source") || bytes.has("source.text");
 
-// The program's text, to the byte, made in steps; empty: it is not in the plan.
-export function* sourceIn({ numbers, bytes }: Decoded): Generator<void, Uint8Array> {
+// The program's text, to the byte, made in steps, each of which gives what there is so far; empty: it is not in the plan.
+export function* sourceIn({ numbers, bytes }: Decoded): Generator<Uint8Array, Uint8Array> {
   const text = bytes.get("source.text");
   return text ? yield* sourceOf(text, numbers) : (bytes.get("source") ?? new Uint8Array());
 }

@@ -68,20 +68,31 @@ export class ProgramView {
     this.view = this.read = null;
   }
 
-  // A million lines take as long as all that is seen before them.
+  // A million lines take as long as all that is seen before them; the first are shown at once.
   private *build(plan: Plan): Generator<void> {
     const { editing } = this;
-    if (!editing) yield* plan.sourceSteps;
+    if (!editing) {
+      for (const begin of plan.sourceSteps) {
+        if (begin !== "") this.view ??= this.viewOf(linesOf(begin));
+        yield;
+      }
+    }
     const source = editing?.text ?? plan.source;
     if (source === null) return;
     if (!this.view || this.read?.source !== source) {
       const lines = editing ? linesOf(source) : yield* linesInSteps(source);
+      const scroll = this.view && !this.read ? this.view.scrollSnapshot() : null;
       this.clear();
-      this.view = new EditorView({ state: this.stateOf(lines, editing !== null), parent: this.root, root: this.root });
+      this.view = this.viewOf(lines);
+      if (scroll) this.view.dispatch({ effects: scroll });
       editing?.attach((change) => this.change(change));
     }
     this.read = plan;
     this.showPlan(this.plan!);
+  }
+
+  private viewOf(lines: Text): EditorView {
+    return new EditorView({ state: this.stateOf(lines, this.editing !== null), parent: this.root, root: this.root });
   }
 
   // What is written stays as it is; the plan of another text, which is looked at, has its own in place of it.
