@@ -8,7 +8,7 @@ import pty
 import socket
 import subprocess
 
-from command_line import Case, KERF, SOURCE, main
+from command_line import Case, KERF, SOURCE, in_time, main
 
 PROGRAMS = pathlib.Path(SOURCE) / "programs"
 # Exact path: one starts at any line of it.
@@ -175,7 +175,12 @@ class Start(Case):
         changes = self.path("changes.ngc", "G21 G90 G61 F6000\nM6 T1\nG1 X5\nX9\nM2\n")
         self.assertIn(":2:1: error: the program waits for an answer here", self.kerf("run", changes, "--from-line", "4", "--yes", status=1).stderr)
 
-    def answered(self, answer):
+    def answered(self, answer, status):
+        done = in_time(lambda: self.run_answered(answer), status)
+        self.assertEqual(done.returncode, status)
+        return done.stdout
+
+    def run_answered(self, answer):
         terminal, end = pty.openpty()
         self.addCleanup(os.close, terminal)
         self.addCleanup(os.close, end)
@@ -185,14 +190,12 @@ class Start(Case):
         os.write(terminal, answer)
         stdout, stderr = process.communicate(timeout=60)
         self.assertIn(b"Start there? [y/N]", stderr)
-        return process.returncode, stdout
+        return subprocess.CompletedProcess(process.args, process.returncode, stdout, stderr)
 
     def test_somebody_at_the_terminal_says_yes_or_no(self):
-        status, stdout = self.answered(b"y\n")
-        self.assertEqual(status, 0)
-        self.assertIn(b"started at      line 7", stdout)
+        self.assertIn(b"started at      line 7", self.answered(b"y\n", status=0))
         for no in (b"n\n", b"\n"):
-            self.assertEqual(self.answered(no), (7, b""))
+            self.assertEqual(self.answered(no, status=7), b"")
 
     def test_over_the_control_channel_the_program_waits_at_its_place(self):
         ours, theirs = socket.socketpair()
