@@ -37,9 +37,9 @@ test("a plan of what is typed leaves the text where it is, at the caret", async 
   await caretTo("Control+End");
   await settled();
   const top = (): Promise<number> => page.locator(".program-view .cm-scroller").evaluate((panel) => panel.scrollTop);
-  await after_(() => page.keyboard.type("(end)"));
   const before = await top();
   assert.ok(before > 100, `scrolled by ${before}`);
+  await after_(() => page.keyboard.type("(end)"));
   await settled();
   assert.equal(await top(), before);
   await after_(() => page.keyboard.type("(and on)"));

@@ -7,6 +7,7 @@ import type { Progress } from "../plan/source.ts";
 import type { Store } from "../state.ts";
 import { h } from "../ui/dom.ts";
 import { inSteps } from "../ui/steps.ts";
+import { CodesBar } from "./codes_bar.ts";
 import { LineFollower } from "./line_follower.ts";
 import { LineTimes } from "./line_times.ts";
 import { linesInSteps, linesOf, plannedLines, setPlan, type PlannedLines } from "./planned_lines.ts";
@@ -25,8 +26,7 @@ export class ProgramView {
   private readonly host = h("div", { class: "editor" });
   private readonly root: ShadowRoot;
   private readonly message = h("div", { class: "empty" });
-  private readonly words = h("b", { "data-test": "words", title: "feed, spindle speed and tool in the spindle at this instant" });
-  private readonly codes = h("span", { "data-test": "codes", title: "the codes in force at this instant" });
+  private readonly bar = new CodesBar();
   private readonly note = h("div", { class: "read-only", "data-test": "read-only", hidden: true }, "The text of the run that is shown, to be read only. What is written is kept.");
   private view: EditorView | null = null;
   private read: Plan | null = null; // whose text it has, where nothing is written
@@ -43,7 +43,7 @@ export class ProgramView {
     this.editing = editing;
     // In a shadow tree CodeMirror's style sheets are objects, which the page's policy lets pass.
     this.root = this.host.attachShadow({ mode: "open" });
-    this.element = h("div", { class: "program-view" }, this.host, this.message, this.note, h("div", { class: "codes" }, this.words, " ", this.codes));
+    this.element = h("div", { class: "program-view" }, this.host, this.message, this.note, this.bar.element);
     store.listen((_state, change, origin) => {
       if (!("plan" in change) && ("tick" in change || "hover" in change)) this.showInstant(origin !== "program");
     });
@@ -237,8 +237,7 @@ export class ProgramView {
     const run = plan?.runAt(instant) ?? 0;
     // First, for the editor asks the browser where things are: a word written before has all of the page laid out for that.
     if (this.view && this.isRead) this.follower.mark(this.view, runs?.line[run] ?? 0, scroll);
-    this.words.textContent = plan?.inForceAt("words", instant) ?? "";
-    this.codes.textContent = plan?.inForceAt("codes", instant) ?? "";
+    this.bar.show(plan, instant);
     if (plan?.hasSource === false) this.message.textContent = `The program's text is not in this report.${plan.motion ? ` The tool is in ${plan.placeAt(instant)}.` : ""}`;
   }
 }
