@@ -47,6 +47,7 @@ bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
                      const std::string& folder) {
   const HeldRun run(program, profile);
   std::vector<double> reaction;
+  std::vector<double> could_show;
   std::vector<double> planning;
   std::vector<double> rest;
   std::vector<double> over_shortest;
@@ -58,6 +59,7 @@ bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
       continue;
     }
     reaction.push_back(held.reaction_ms);
+    could_show.push_back(held.could_show_ms());
     planning.push_back(held.planning_ms);
     rest.push_back(held.rest_ms);
     way_mm = std::max(way_mm, held.way_mm());
@@ -74,14 +76,14 @@ bool in_virtual_time(const ControlProgram& program, ProfileKind profile,
                 path, held.way);
     }
   }
-  const bool holds = quantile(reaction, 1.0) <= kReactionAtMost_ms &&
+  const bool holds = quantile(could_show, 1.0) <= kReactionAtMost_ms &&
                      quantile(over_shortest, 0.5) <= kWayAtMost &&
                      (!is_line(program) || way_mm <= kWayAtMost * shortest_on_line_mm());
-  std::printf("| %s | %s | %zu | %.0f | %.0f | %.1f | %.1f | %.0f | %.2f | %.3f | %.3f |\n",
+  std::printf("| %s | %s | %zu | %.0f | %.0f | %.0f | %.1f | %.1f | %.0f | %.2f | %.3f | %.3f |\n",
               program.name.c_str(), std::string(name_of(profile)).c_str(), reaction.size(),
-              quantile(reaction, 0.5), quantile(reaction, 1.0), quantile(planning, 0.5),
-              quantile(planning, 1.0), quantile(rest, 1.0), way_mm, quantile(over_shortest, 0.5),
-              quantile(over_shortest, 1.0));
+              quantile(reaction, 0.5), quantile(reaction, 1.0), quantile(could_show, 1.0),
+              quantile(planning, 0.5), quantile(planning, 1.0), quantile(rest, 1.0), way_mm,
+              quantile(over_shortest, 0.5), quantile(over_shortest, 1.0));
   std::fflush(stdout);
   return holds;
 }
@@ -95,13 +97,13 @@ int control(const std::string& folder) {
   std::printf(
       "%d holds each, in virtual time: ticks from the request to the first other setpoint, and "
       "what planning took. Where the plan brakes to a rest that is as near there is none, and the "
-      "hold is not counted. Way: the longest, from the last tick that was not another; from the "
-      "first that was, over a bound that lets jumps and an axis at its limit of jerk cost nothing; "
-      "where an axis leaves no jerk at all it may be far too long.\n\n"
-      "| program | profile | counted | reaction, median ms | worst | planning, median ms | worst | "
-      "braking, "
-      "worst ms | way, mm | over the bound, median | worst |\n"
-      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
+      "hold is not counted; it could show where the plan does not brake as hard as the path's "
+      "limits allow until then. Way: the longest, from the last tick that was not another; from "
+      "the first that was, over a bound that lets jumps and an axis at its limit of jerk cost "
+      "nothing; where an axis leaves no jerk at all it may be far too long.\n\n"
+      "| program | profile | counted | reaction, median ms | worst | that could show | planning, "
+      "median ms | worst | braking, worst ms | way, mm | over the bound, median | worst |\n"
+      "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n",
       kHolds);
   for (const ControlProgram& program : all) {
     for (const ProfileKind profile : kProfiles) {

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::int64_t kFirstTick = 300;
 constexpr std::int64_t kLastTick = 6000;
+constexpr double kAtLimit = 0.999;
 
 }  // namespace
 
@@ -48,6 +49,7 @@ bool HeldRun::watch(TickStatus status, const Setpoint& setpoint, Held& held) con
                              setpoint.s_mm == held.begin_mm;  // it rests where the plan did
   if (held.rests_as_planned && is_as_planned) {
     held.reaction_ms += ms;
+    held.at_limit_ms = brakes_at_limit(setpoint.tick) ? held.at_limit_ms + ms : 0.0;
     held.begin_mm = setpoint.s_mm;
     return status != TickStatus::running;
   }
@@ -58,6 +60,17 @@ bool HeldRun::watch(TickStatus status, const Setpoint& setpoint, Held& held) con
   way.way_mm = setpoint.s_mm - way.from.s_mm;
   way.a_mm_s2.push_back(setpoint.a_mm_s2);
   return status != TickStatus::running;
+}
+
+bool HeldRun::brakes_at_limit(std::int64_t tick) const {
+  if (tick < 1 || tick >= ticks()) {
+    return false;
+  }
+  const MachineLimits limits = default_machine().limits;
+  const double before_mm_s2 = whole_[static_cast<std::size_t>(tick - 1)].a_mm_s2;
+  const double a_mm_s2 = whole_[static_cast<std::size_t>(tick)].a_mm_s2;
+  return a_mm_s2 <= -kAtLimit * limits.path.acceleration_mm_s2 ||
+         before_mm_s2 - a_mm_s2 >= kAtLimit * limits.path.jerk_mm_s3 * limits.period_s;
 }
 
 Held HeldRun::hold_at(std::int64_t tick) const {

@@ -13,7 +13,10 @@
 namespace kerf::bench {
 
 struct Held {
-  double reaction_ms = 0.0;      // of ticks, from the request to the first that is another
+  double reaction_ms = 0.0;  // of ticks, from the request to the first that is another
+  // Of these the last, at which the plan itself brakes as hard as the path's limits allow: whatever
+  // takes over there gives the same ticks.
+  double at_limit_ms = 0.0;
   bool rests_as_planned = true;  // none is: the plan braked to a rest that is as near
   double planning_ms = 0.0;
   double rest_ms = 0.0;
@@ -22,6 +25,7 @@ struct Held {
   // the plan before may go on for a part of a tick, with another acceleration.
   WayToRest way{};
 
+  [[nodiscard]] double could_show_ms() const { return reaction_ms - at_limit_ms; }
   [[nodiscard]] double way_mm() const { return way.from.s_mm + way.way_mm - begin_mm; }
 };
 
@@ -41,6 +45,8 @@ class HeldRun {
   [[nodiscard]] std::vector<std::int64_t> random_ticks() const;
 
  private:
+  [[nodiscard]] bool brakes_at_limit(std::int64_t tick) const;
+
   const ControlProgram* program_;
   KernelOptions options_;
   std::vector<Setpoint> whole_;  // its first ticks, without a hold
